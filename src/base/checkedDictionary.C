@@ -1,0 +1,84 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "checkedDictionary.H"
+#include "scalar.H"
+#include "wordList.H"
+#include "FlatOutput.H"
+#include "error.H"
+
+const Foam::dictionary& Foam::fsbi::checkedDictionary::subDictOrEmpty
+(
+    const word& key
+) const
+{
+    known_.insert(key);
+    const dictionary* sub = dict_.findDict(key);
+    return sub ? *sub : dictionary::null;
+}
+
+
+Foam::scalar Foam::fsbi::checkedDictionary::positive(const word& key) const
+{
+    const scalar value = get<scalar>(key);
+    if (!(value > 0))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry '" << key << "' must be above zero, but is " << value
+            << exit(FatalIOError);
+    }
+    return value;
+}
+
+
+Foam::scalar Foam::fsbi::checkedDictionary::positive
+(
+    const word& key, const scalar deflt
+) const
+{
+    return found(key) ? positive(key) : deflt;
+}
+
+
+Foam::word Foam::fsbi::checkedDictionary::choice
+(
+    const word& key, const wordList& valid
+) const
+{
+    const word value = get<word>(key);
+    if (!valid.found(value))
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry '" << key << "' is '" << value
+            << "'; valid choices are " << flatOutput(valid)
+            << exit(FatalIOError);
+    }
+    return value;
+}
+
+
+Foam::word Foam::fsbi::checkedDictionary::choice
+(
+    const word& key, const wordList& valid, const word& deflt
+) const
+{
+    return found(key) ? choice(key, valid) : deflt;
+}
+
+
+void Foam::fsbi::checkedDictionary::finish() const
+{
+    for (const entry& e : dict_)
+    {
+        if (!known_.found(e.keyword()))
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Unknown keyword '" << e.keyword() << "' on line "
+                << e.startLineNumber() << " of " << dict_.name()
+                << "; known keywords are " << flatOutput(known_.sortedToc())
+                << exit(FatalIOError);
+        }
+    }
+}
