@@ -54,7 +54,14 @@ hdfHandle open(const std::string& file)
             nullptr, nullptr, nullptr, nullptr, nullptr, nullptr
         );
     }
-    return hdfHandle(H5Fopen(file.c_str(), H5F_ACC_RDWR, access));
+    hdfHandle handle(H5Fopen(file.c_str(), H5F_ACC_RDWR, access));
+
+    // and its superblock, written last, may not know the end of the file yet
+    if (handle.valid() && H5Fincrement_filesize(handle, 0) < 0)
+    {
+        handle.close();
+    }
+    return handle;
 }
 
 

@@ -86,10 +86,10 @@ void Foam::fsbi::historyFile::truncate
         fail("Cannot read table '" + path + "' of the history file");
     }
 
-    hsize_t kept = times.size();
-    while (kept && !(times[kept - 1] <= latest))
+    hsize_t kept = 0;
+    while (kept < times.size() && times[kept] <= latest)
     {
-        --kept;
+        ++kept;
     }
     if (kept == size[0])
     {

@@ -50,7 +50,12 @@ static std::vector<double> column(const fileName& file, const fileName& path, co
 {
     const fsbi::hdf::quiet silence;
     std::vector<double> values;
-    const fsbi::hdfHandle f = fsbi::hdf::open(file);
+
+    // as a reader beside a running or after a killed run
+    const fsbi::hdfHandle f
+    (
+        H5Fopen(file.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT)
+    );
     const fsbi::hdfHandle table(H5Dopen2(f, path.c_str(), H5P_DEFAULT));
     fsbi::hdf::readColumn(table, i, values);
     return values;
