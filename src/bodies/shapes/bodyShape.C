@@ -1,0 +1,76 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "bodyShape.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+    defineTypeNameAndDebug(bodyShape, 0);
+    defineRunTimeSelectionTable(bodyShape, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsbi::bodyShape::bodyShape(const dictionary& dict)
+:
+    size_(0),
+    entries_(dict)
+{
+    entries_.found("type");
+    size_ = entries_.found("size") ? entries_.positive("size") : 0;
+}
+
+
+Foam::autoPtr<Foam::fsbi::bodyShape> Foam::fsbi::bodyShape::New
+(
+    const dictionary& dict
+)
+{
+    const word type(dict.get<word>("type"));
+    auto constructor = dictionaryConstructorTablePtr_->cfind(type);
+    if (!constructor.found())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Unknown shape '" << type << "'; valid shapes are "
+            << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
+            << exit(FatalIOError);
+    }
+    return constructor()(dict);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::fsbi::bodySurface Foam::fsbi::bodyShape::fineEnough
+(
+    bodySurface&& surface
+) const
+{
+    // fewer do not describe a body: drag would be off by tens of per cent
+    constexpr label fewest = 100;
+    if (surface.triangles().size() < fewest)
+    {
+        FatalIOErrorInFunction(entries_.dict())
+            << "The shape has only " << surface.triangles().size()
+            << " triangles, a body needs " << fewest
+            << " or more: choose a smaller 'size'" << exit(FatalIOError);
+    }
+    return std::move(surface);
+}
+
+
+Foam::fsbi::bodySurface Foam::fsbi::bodyShape::triangulate
+(
+    const scalar size
+) const
+{
+    return fineEnough
+    (
+        make(size > 0 ? size : size_ > 0 ? size_ : defaultSize())
+    );
+}

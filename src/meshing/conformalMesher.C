@@ -1,0 +1,245 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "conformalMesher.H"
+#include "gmshModel.H"
+#include "meshAssembly.H"
+#include "sizeField.H"
+#include "triangleCrossings.H"
+#include "cyclicPolyPatch.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsbi::conformalMesher::checkInput
+(
+    const wordList& names,
+    const UList<bodySurface>& bodies,
+    const bodySurface& walls
+) const
+{
+    DynamicList<point> points;
+    DynamicList<triFace> triangles;
+    DynamicList<label> group;
+    const auto append = [&](const bodySurface& surface, const label groupi)
+    {
+        for (const triFace& t : surface.triangles())
+        {
+            const label n = points.size();
+            triangles.append(triFace(t[0] + n, t[1] + n, t[2] + n));
+            group.append(groupi);
+        }
+        points.append(surface.points());
+    };
+
+    forAll(bodies, b)
+    {
+        bodies[b].check(names[b]);
+        append(bodies[b], b);
+    }
+    append(walls, bodies.size());
+
+    const labelPair crossing
+    (
+        triangleCrossing(points, triangles, group, bodies.size())
+    );
+    if (crossing.first() >= 0)
+    {
+        const label a = min(group[crossing.first()], group[crossing.second()]);
+        const label b = max(group[crossing.first()], group[crossing.second()]);
+        FatalErrorInFunction
+            << "Body '" << names[a] << "' "
+            << (b < names.size() ? "overlaps body '" + names[b] + "'"
+              : string("crosses the boundary of the domain"))
+            << " near " << triangles[crossing.first()].centre(points)
+            << exit(FatalError);
+    }
+
+    // nothing crosses: one point decides for the whole body
+    forAll(bodies, b)
+    {
+        const point& p = bodies[b].points()[0];
+        if (walls.winding(p) < 0.5)
+        {
+            FatalErrorInFunction
+                << "Body '" << names[b] << "' lies outside the domain, near "
+                << p << exit(FatalError);
+        }
+        forAll(bodies, other)
+        {
+            if
+            (
+                other != b
+             && bodies[other].bounds().contains(p)
+             && bodies[other].winding(p) > 0.5
+            )
+            {
+                FatalErrorInFunction
+                    << "Body '" << names[b] << "' lies inside body '"
+                    << names[other] << "'" << exit(FatalError);
+            }
+        }
+    }
+}
+
+
+Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
+(
+    const UList<bodySurface>& bodies,
+    const bodySurface& walls,
+    const vector& shift,
+    const sizeField& size,
+    const attempt& settings
+) const
+{
+    meshLists mesh;
+    gmshModel model;
+    for (const bodySurface& body : bodies)
+    {
+        model.addSurface(body);
+    }
+    if (outline_.curved())
+    {
+        model.addSurface(walls);
+    }
+    else
+    {
+        model.addOutline(domain_, outline_, shift);
+    }
+
+    List<FixedList<label, 4>> tetrahedra;
+    mesh.failure = model.generate
+    (
+        size, settings.algorithm3D, settings.seed, settings.optimise,
+        mesh.points, tetrahedra
+    );
+    if (!mesh.valid())
+    {
+        return mesh;
+    }
+
+    DynamicList<boundaryTriangle> boundary;
+    const label nDomain = domain_.boundaryMesh().size();
+    label offset = 0;
+    forAll(bodies, b)
+    {
+        forAll(bodies[b].triangles(), i)
+        {
+            const triFace& t = bodies[b].triangles()[i];
+            const triFace f(t[0] + offset, t[1] + offset, t[2] + offset);
+            boundary.append({f, nDomain + b, i});
+        }
+        mesh.bodyPoints.append(identity(bodies[b].points().size(), offset));
+        offset += bodies[b].points().size();
+    }
+    if (outline_.curved())
+    {
+        forAll(walls.triangles(), i)
+        {
+            const triFace& t = walls.triangles()[i];
+            const triFace f(t[0] + offset, t[1] + offset, t[2] + offset);
+            boundary.append({f, wallPatches_[i], -1});
+        }
+    }
+    else
+    {
+        for (label piece = 0; piece < outline_.nPieces(); ++piece)
+        {
+            for (const triFace& t : model.pieceTriangles(piece))
+            {
+                boundary.append({t, outline_.patch(piece), -1});
+            }
+        }
+    }
+    assembleMesh
+    (
+        mesh, std::move(tetrahedra), boundary, nDomain + bodies.size()
+    );
+    return mesh;
+}
+
+
+void Foam::fsbi::conformalMesher::setPatches
+(
+    const wordList& names, meshLists& mesh
+) const
+{
+    for (const polyPatch& patch : domain_.boundaryMesh())
+    {
+        OStringStream os;
+        os << patch;
+        dictionary dict{IStringStream(os.str())()};
+        dict.remove("nFaces");
+        dict.remove("startFace");
+        mesh.patchNames.append(patch.name());
+        mesh.patchDicts.append(dict);
+    }
+    for (const word& name : names)
+    {
+        dictionary dict;
+        dict.set("type", "wall");
+        dict.set("inGroups", wordList({"wall", "bodies"}));
+        mesh.patchNames.append(name);
+        mesh.patchDicts.append(dict);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsbi::conformalMesher::conformalMesher
+(
+    const polyMesh& domain, const dictionary& remeshDict
+)
+:
+    domain_(domain),
+    controls_(remeshDict),
+    outline_(domain),
+    walls_(outline_.triangulation(wallPatches_))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
+(
+    const wordList& bodyNames,
+    const UList<bodySurface>& bodies,
+    const vector& domainShift
+) const
+{
+    const bodySurface walls(walls_.transformed(tensor::I, domainShift));
+    checkInput(bodyNames, bodies, walls);
+    const sizeField size(domain_, domainShift, walls, bodies, controls_);
+
+    const int Delaunay = 1, HXT = 10;
+    const bool preferHXT = controls_.algorithm == "HXT";
+    const int n = controls_.optimise;
+    const attempt attempts[] =
+    {
+        {preferHXT ? HXT : Delaunay, 1, n},
+        {preferHXT ? Delaunay : HXT, 2, n + 1},
+        {Delaunay, 3, n + 3}
+    };
+
+    meshLists mesh;
+    string failures;
+    for (const attempt& settings : attempts)
+    {
+        mesh = meshOnce(bodies, walls, domainShift, size, settings);
+        if (mesh.valid())
+        {
+            mesh.failure = meshQuality(mesh).complaint(controls_);
+        }
+        if (mesh.valid())
+        {
+            setPatches(bodyNames, mesh);
+            return mesh;
+        }
+        failures += (failures.empty() ? "" : "; then ") + mesh.failure;
+    }
+    mesh = meshLists();
+    mesh.failure = failures;
+    return mesh;
+}

@@ -1,0 +1,218 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "gmshModel.H"
+#include "sizeField.H"
+
+#include <gmsh.h>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsbi::gmshModel::setOptions
+(
+    const int algorithm, const int seed, const int optimise
+)
+{
+    const std::pair<const char*, double> options[] =
+    {
+        {"Mesh.Algorithm", 6},                  // frontal: best triangles
+        {"Mesh.Algorithm3D", double(algorithm)},
+        {"Mesh.RandomSeed", double(seed)},
+        {"Mesh.Optimize", double(optimise)},
+        {"Mesh.OptimizeThreshold", 0.4},
+        {"Mesh.OptimizeNetgen", 0},
+        {"Mesh.Renumber", 0},                   // keeps our node tags
+        {"Mesh.ElementOrder", 1},
+        {"Mesh.MeshSizeExtendFromBoundary", 0}, // the size field says it all
+        {"Mesh.MeshSizeFromPoints", 0},
+        {"Mesh.MeshSizeFromCurvature", 0},
+        {"Mesh.MaxNumThreads1D", 1},
+        {"Mesh.MaxNumThreads2D", 1},
+        {"Mesh.MaxNumThreads3D", 1}
+    };
+    for (const auto& option : options)
+    {
+        gmsh::option::setNumber(option.first, option.second);
+    }
+}
+
+
+Foam::pointField Foam::fsbi::gmshModel::readPoints()
+{
+    std::vector<std::size_t> tags;
+    std::vector<double> coordinates, parameters;
+    gmsh::model::mesh::getNodes
+    (
+        tags, coordinates, parameters, -1, -1, false, false
+    );
+
+    // the given points keep their tags 1, 2, ..., the new ones follow
+    std::vector<std::pair<std::size_t, std::size_t>> order;
+    for (std::size_t i = 0; i < tags.size(); ++i)
+    {
+        order.push_back({tags[i], i});
+    }
+    std::sort(order.begin(), order.end());
+    pointField points(order.size());
+    forAll(points, p)
+    {
+        const double* x = &coordinates[3*order[p].second];
+        points[p] = point(x[0], x[1], x[2]);
+        index_[order[p].first] = p;
+    }
+    return points;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsbi::gmshModel::gmshModel()
+:
+    nGivenPoints_(0)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsbi::gmshModel::addSurface(const bodySurface& surface)
+{
+    const int tag = gmsh::model::addDiscreteEntity(2, 100001 + given_.size());
+    std::vector<std::size_t> nodes, elements;
+    std::vector<double> coordinates;
+    for (const point& p : surface.points())
+    {
+        nodes.push_back(nGivenPoints_ + nodes.size() + 1);
+        coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+    }
+    for (const triFace& t : surface.triangles())
+    {
+        for (const label p : t)
+        {
+            elements.push_back(nGivenPoints_ + p + 1);
+        }
+    }
+    gmsh::model::mesh::addNodes(2, tag, nodes, coordinates);
+    gmsh::model::mesh::addElementsByType(tag, 2, {}, elements);
+    nGivenPoints_ += nodes.size();
+    given_.push_back(tag);
+}
+
+
+void Foam::fsbi::gmshModel::addOutline
+(
+    const polyMesh& domain, const domainOutline& outline, const vector& shift
+)
+{
+    std::vector<int> corners, lines;
+    for (const label pointi : outline.corners())
+    {
+        const point p(domain.points()[pointi] + shift);
+        corners.push_back(gmsh::model::geo::addPoint(p.x(), p.y(), p.z()));
+    }
+    for (const labelPair& line : outline.lines())
+    {
+        lines.push_back
+        (
+            gmsh::model::geo::addLine
+            (
+                corners[line.first()], corners[line.second()]
+            )
+        );
+    }
+    for (label piece = 0; piece < outline.nPieces(); ++piece)
+    {
+        std::vector<int> loops;
+        for (const DynamicList<label>& loop : outline.loops(piece))
+        {
+            std::vector<int> tags;
+            for (const label l : loop)
+            {
+                tags.push_back(l > 0 ? lines[l - 1] : -lines[-l - 1]);
+            }
+            loops.push_back(gmsh::model::geo::addCurveLoop(tags));
+        }
+        pieces_.push_back(gmsh::model::geo::addPlaneSurface(loops));
+    }
+}
+
+
+Foam::string Foam::fsbi::gmshModel::generate
+(
+    const sizeField& size,
+    const int algorithm,
+    const int seed,
+    const int optimise,
+    pointField& points,
+    List<FixedList<label, 4>>& tetrahedra
+)
+{
+    const int tetrahedron = 4;
+    std::vector<std::size_t> tags, nodes;
+    try
+    {
+        setOptions(algorithm, seed, optimise);
+        std::vector<int> shells;
+        if (pieces_.size())
+        {
+            shells.push_back(gmsh::model::geo::addSurfaceLoop(pieces_));
+        }
+        // without pieces the last surface given is the domain's
+        for (auto tag = given_.rbegin(); tag != given_.rend(); ++tag)
+        {
+            shells.push_back(gmsh::model::geo::addSurfaceLoop({*tag}));
+        }
+        gmsh::model::geo::addVolume(shells);
+        gmsh::model::geo::synchronize();
+        gmsh::model::mesh::setSizeCallback
+        (
+            [&size](int, int, double x, double y, double z)
+            {
+                return size(point(x, y, z));
+            }
+        );
+        gmsh::model::mesh::generate(3);
+        gmsh::model::mesh::removeSizeCallback();
+        gmsh::model::mesh::getElementsByType(tetrahedron, tags, nodes);
+    }
+    catch (...)
+    {
+        return "gmsh: " + session_.complaints();
+    }
+    if (nodes.empty())
+    {
+        return "gmsh made no cells: " + session_.complaints();
+    }
+
+    points = readPoints();
+    tetrahedra.setSize(tags.size());
+    forAll(tetrahedra, c)
+    {
+        for (label i = 0; i < 4; ++i)
+        {
+            tetrahedra[c][i] = index_.at(nodes[4*c + i]);
+        }
+    }
+    return "";
+}
+
+
+Foam::List<Foam::triFace> Foam::fsbi::gmshModel::pieceTriangles
+(
+    const label piece
+) const
+{
+    const int triangle = 2;
+    std::vector<std::size_t> tags, nodes;
+    gmsh::model::mesh::getElementsByType(triangle, tags, nodes, pieces_[piece]);
+    List<triFace> triangles(tags.size());
+    forAll(triangles, i)
+    {
+        for (label j = 0; j < 3; ++j)
+        {
+            triangles[i][j] = index_.at(nodes[3*i + j]);
+        }
+    }
+    return triangles;
+}

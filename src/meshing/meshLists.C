@@ -1,0 +1,64 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "meshLists.H"
+#include "fvMesh.H"
+#include "ListOps.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::fsbi::meshLists::nCells() const
+{
+    return owner.empty() ? 0 : Foam::max(owner) + 1;
+}
+
+
+Foam::autoPtr<Foam::fvMesh> Foam::fsbi::meshLists::makeMesh
+(
+    const IOobject& io
+) const
+{
+    autoPtr<fvMesh> mesh
+    (
+        new fvMesh
+        (
+            io,
+            pointField(points), faceList(faces),
+            labelList(owner), labelList(neighbour)
+        )
+    );
+
+    List<polyPatch*> patches(patchNames.size());
+    forAll(patches, i)
+    {
+        dictionary dict(patchDicts[i]);
+        dict.set("nFaces", patchSizes[i]);
+        dict.set("startFace", patchStarts[i]);
+        patches[i] =
+            polyPatch::New(patchNames[i], dict, i, mesh->boundaryMesh()).ptr();
+    }
+    mesh->addFvPatches(patches);
+    return mesh;
+}
+
+
+// * * * * * * * * * * * * * * * Friend Operators  * * * * * * * * * * * * * //
+
+Foam::Ostream& Foam::fsbi::operator<<(Ostream& os, const meshLists& m)
+{
+    os  << m.points << m.faces << m.owner << m.neighbour << m.patchNames
+        << m.patchDicts << m.patchStarts << m.patchSizes << m.bodyPoints
+        << m.failure;
+    return os;
+}
+
+
+Foam::Istream& Foam::fsbi::operator>>(Istream& is, meshLists& m)
+{
+    is  >> m.points >> m.faces >> m.owner >> m.neighbour >> m.patchNames
+        >> m.patchDicts >> m.patchStarts >> m.patchSizes >> m.bodyPoints
+        >> m.failure;
+    return is;
+}

@@ -1,0 +1,115 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "sizeField.H"
+#include "polyMesh.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsbi::sizeField::addSurface(const bodySurface& surface)
+{
+    List<labelledTri> triangles(surface.triangles().size());
+    scalarField sizes(triangles.size());
+    const scalarField pointSizes(surface.pointSizes());
+    forAll(triangles, i)
+    {
+        const triFace& t = surface.triangles()[i];
+        triangles[i] = labelledTri(t[0], t[1], t[2], 0);
+        sizes[i] = (pointSizes[t[0]] + pointSizes[t[1]] + pointSizes[t[2]])/3;
+    }
+    surfaces_.append(new triSurface(triangles, surface.points()));
+    searches_.append(new triSurfaceSearch(surfaces_.last()));
+    searches_.last().tree();
+    boxes_.append(treeBoundBox(surface.points()));
+    sizes_.append(sizes);
+}
+
+
+Foam::scalar Foam::fsbi::sizeField::farSize(const point& p) const
+{
+    if (farSize_ > 0)
+    {
+        return farSize_;
+    }
+    const pointIndexHit hit(cells_->findNearest(p, GREAT));
+    return cellSizes_[hit.index()];
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsbi::sizeField::sizeField
+(
+    const polyMesh& domain,
+    const vector& shift,
+    const bodySurface& boundary,
+    const UList<bodySurface>& bodies,
+    const remeshControls& controls
+)
+:
+    growth_(controls.growth),
+    cellsPerGap_(controls.cellsPerGap),
+    minSize_(controls.minSize),
+    farSize_(controls.farSize),
+    reach_(0)
+{
+    scalar bodySize = GREAT;
+    for (const bodySurface& body : bodies)
+    {
+        addSurface(body);
+        bodySize = min(bodySize, body.meanEdge());
+    }
+    addSurface(boundary);
+    if (minSize_ <= 0 && bodies.size())
+    {
+        minSize_ = 0.25*bodySize;
+    }
+
+    scalar largest = farSize_;
+    if (farSize_ <= 0)
+    {
+        cellCentres_ = domain.cellCentres() + shift;
+        cellSizes_ = Foam::cbrt(domain.cellVolumes());
+        largest = max(cellSizes_);
+        cells_.reset
+        (
+            new indexedOctree<treeDataPoint>
+            (
+                treeDataPoint(cellCentres_),
+                treeBoundBox(cellCentres_), 8, 10, 3
+            )
+        );
+    }
+    reach_ = max(largest/growth_, cellsPerGap_*largest);
+}
+
+
+// * * * * * * * * * * * * * * * Member Operators  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsbi::sizeField::operator()(const point& p) const
+{
+    scalar h = farSize(p);
+    scalar first = reach_, second = reach_;
+    forAll(searches_, i)
+    {
+        if (!boxes_[i].overlaps(p, sqr(reach_)))
+        {
+            continue;
+        }
+        const pointIndexHit hit(searches_[i].tree().findNearest(p, sqr(reach_)));
+        if (!hit.hit())
+        {
+            continue;
+        }
+        const scalar d = mag(hit.hitPoint() - p);
+        second = min(second, max(first, d));
+        first = min(first, d);
+        if (i < searches_.size() - 1)
+        {
+            h = min(h, sizes_[i][hit.index()] + growth_*d);
+        }
+    }
+    return min(h, max(minSize_, (first + second)/cellsPerGap_));
+}
