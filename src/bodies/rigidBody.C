@@ -1,0 +1,325 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "rigidBody.H"
+#include "bodyShape.H"
+#include "checkedDictionary.H"
+#include "mathematicalConstants.H"
+
+const Foam::wordList Foam::fsbi::rigidBody::integrators
+({
+    "monolithic", "explicitEuler", "semiImplicit"
+});
+
+
+namespace Foam
+{
+
+//- Rotation by a vector of angle and axis
+static quaternion rotationBy(const vector& angle)
+{
+    const scalar a = mag(angle);
+    return a > VSMALL ? quaternion(angle/a, a) : quaternion::I;
+}
+
+} // End namespace Foam
+
+
+Foam::fsbi::rigidBody::rigidBody(const word& name, const dictionary& dict)
+:
+    name_(name),
+    mass_(0),
+    inertia_(Zero),
+    oldStep_(0),
+    step_(0),
+    solved_(false)
+{
+    const checkedDictionary entries(dict);
+    entries.choice("type", {"rigidBody"});
+    integrator_ =
+        entries.choice("integrator", integrators, integrators.first());
+
+    const autoPtr<bodyShape> shape(bodyShape::New(entries.subDict("shape")));
+    const bodySurface raw(shape->triangulate());
+    raw.check(name);
+    const point centroid(raw.centroid());
+    surface_ = raw.transformed(tensor::I, -centroid);
+
+    const Tuple2<vector, scalar> turned
+    (
+        entries.getOrDefault("orientation", Tuple2<vector, scalar>(Zero, 0))
+    );
+    if (mag(turned.first()) > 0)
+    {
+        now_.orientation = quaternion
+        (
+            turned.first()/mag(turned.first()), turned.second()
+        );
+    }
+    now_.centre =
+        entries.get<point>("position") + (rotation() & centroid);
+    now_.velocity = join
+    (
+        entries.getOrDefault<vector>("velocity", Zero),
+        entries.getOrDefault<vector>("angularVelocity", Zero)
+    );
+
+    readMass(entries);
+    for (auto* load : {&force_, &torque_})
+    {
+        const word key(load == &force_ ? "force" : "torque");
+        if (entries.found(key))
+        {
+            *load = Function1<vector>::New(key, dict);
+        }
+    }
+    const checkedDictionary constraints(entries.subDictOrEmpty("constraints"));
+    readPrescription(constraints, "velocity", linear_);
+    readPrescription(constraints, "angularVelocity", angular_);
+    constraints.finish();
+    entries.finish();
+    older_ = old_ = now_;
+}
+
+
+void Foam::fsbi::rigidBody::readMass(const checkedDictionary& entries)
+{
+    overdamped_ = entries.getOrDefault("overdamped", false);
+    if (!overdamped_ || entries.found("density"))
+    {
+        const scalar density = entries.positive("density");
+        mass_ = density*surface_.volume();
+        inertia_ = density*(tensor::I & surface_.inertia());
+    }
+    scalarField r(mag(surface_.points()));
+    radius_ = average(r);
+}
+
+
+void Foam::fsbi::rigidBody::readPrescription
+(
+    const checkedDictionary& entries,
+    const word& key,
+    prescription& p
+)
+{
+    const wordList all({"x", "y", "z"});
+    const wordList axes
+    (
+        entries.getOrDefault<wordList>(key + "Axes", all)
+    );
+    if (!entries.found(key))
+    {
+        return;
+    }
+    p.value = Function1<vector>::New(key, entries.dict());
+    for (const word& axis : axes)
+    {
+        if (!all.found(axis))
+        {
+            FatalIOErrorInFunction(entries.dict())
+                << "'" << axis << "' in '" << key << "Axes' is no axis;"
+                << " valid axes are (x y z)" << exit(FatalIOError);
+        }
+        p.axes[all.find(axis)] = true;
+    }
+}
+
+
+Foam::fsbi::bodySurface Foam::fsbi::rigidBody::placedSurface() const
+{
+    return surface_.transformed(rotation(), now_.centre);
+}
+
+
+Foam::fsbi::sixVector Foam::fsbi::rigidBody::momentum(const state& s) const
+{
+    const tensor R(s.orientation.R());
+    return join
+    (
+        mass_*linear(s.velocity),
+        (R & inertia_ & R.T()) & angular(s.velocity)
+    );
+}
+
+
+Foam::FixedList<Foam::scalar, 3> Foam::fsbi::rigidBody::weights() const
+{
+    if (!hasHistory())
+    {
+        return FixedList<scalar, 3>({1, -1, 0});
+    }
+    const scalar r = step_/oldStep_;
+    return FixedList<scalar, 3>
+    ({
+        (1 + 2*r)/(1 + r), -(1 + r), r*r/(1 + r)
+    });
+}
+
+
+void Foam::fsbi::rigidBody::advance(const scalar dt)
+{
+    step_ = dt;
+    sixVector mean(old_.velocity);
+    if (hasHistory())
+    {
+        const scalar r = 0.5*dt/oldStep_;
+        forAll(mean, k)
+        {
+            mean[k] += r*(old_.velocity[k] - older_.velocity[k]);
+        }
+    }
+    else if (solved_)
+    {
+        mean = now_.velocity;
+    }
+    now_.centre = old_.centre + dt*linear(mean);
+    now_.orientation =
+        normalize(rotationBy(dt*angular(mean))*old_.orientation);
+}
+
+
+Foam::fsbi::sixVector Foam::fsbi::rigidBody::applied(const scalar time) const
+{
+    return join
+    (
+        force_ ? force_->value(time) : vector(Zero),
+        torque_ ? torque_->value(time) : vector(Zero)
+    );
+}
+
+
+Foam::fsbi::bodyRows Foam::fsbi::rigidBody::rows(const scalar time) const
+{
+    bodyRows rows;
+    rows.centre = now_.centre;
+    rows.radius = radius_;
+    rows.rhs = applied(time);
+    rows.velocity = now_.velocity;
+    rows.free = FixedList<bool, 6>(true);
+    rows.massRate = 0;
+    rows.inertiaRate = Zero;
+
+    if (!overdamped_ && step_ > 0)
+    {
+        const FixedList<scalar, 3> c(weights());
+        const tensor R(rotation());
+        rows.massRate = c[0]*mass_/step_;
+        rows.inertiaRate = (c[0]/step_)*(R & inertia_ & R.T());
+        const sixVector p(momentum(old_)), q(momentum(older_));
+        forAll(rows.rhs, k)
+        {
+            rows.rhs[k] -= (c[1]*p[k] + c[2]*q[k])/step_;
+        }
+    }
+
+    if (integrator_ == "explicitEuler" && step_ > 0)
+    {
+        // velocity from the loads at the beginning of the step [3.9]
+        const tensor R(old_.orientation.R());
+        const sixVector f(applied(time - step_));
+        const vector V
+        (
+            linear(old_.velocity)
+          + step_/mass_*(linear(old_.load) + linear(f))
+        );
+        const vector L
+        (
+            angular(momentum(old_))
+          + step_*(angular(old_.load) + angular(f))
+        );
+        rows.velocity = join(V, inv(R & inertia_ & R.T()) & L);
+        rows.free = FixedList<bool, 6>(false);
+    }
+
+    for (label k = 0; k < 6; ++k)
+    {
+        const prescription& p = k < 3 ? linear_ : angular_;
+        if (p.axes[k % 3])
+        {
+            rows.free[k] = false;
+            rows.velocity[k] = p.value->value(time)[k % 3];
+        }
+    }
+    return rows;
+}
+
+
+void Foam::fsbi::rigidBody::set
+(
+    const sixVector& velocity,
+    const sixVector& load
+)
+{
+    now_.velocity = velocity;
+    now_.load = load;
+    solved_ = true;
+}
+
+
+void Foam::fsbi::rigidBody::beginStep()
+{
+    old_ = now_;
+    solved_ = false;
+}
+
+
+void Foam::fsbi::rigidBody::rewind()
+{
+    now_ = old_;
+    solved_ = false;
+}
+
+
+void Foam::fsbi::rigidBody::endStep()
+{
+    older_ = old_;
+    oldStep_ = step_;
+}
+
+
+void Foam::fsbi::rigidBody::save(dictionary& dict) const
+{
+    const auto write = [&](const word& level, const state& s)
+    {
+        dictionary sub;
+        sub.set("centre", s.centre);
+        sub.set("orientation", s.orientation);
+        sub.set("velocity", linear(s.velocity));
+        sub.set("angularVelocity", angular(s.velocity));
+        sub.set("force", linear(s.load));
+        sub.set("torque", angular(s.load));
+        dict.set(level, sub);
+    };
+    write("now", now_);
+    write("older", older_);
+    dict.set("step", oldStep_);
+    dict.set("points", surface_.points());
+    dict.set("triangles", surface_.triangles());
+}
+
+
+void Foam::fsbi::rigidBody::restore(const dictionary& dict)
+{
+    const auto read = [&](const word& level, state& s)
+    {
+        const dictionary& sub = dict.subDict(level);
+        s.centre = sub.get<point>("centre");
+        s.orientation = sub.get<quaternion>("orientation");
+        s.velocity = join
+        (
+            sub.get<vector>("velocity"), sub.get<vector>("angularVelocity")
+        );
+        s.load = join(sub.get<vector>("force"), sub.get<vector>("torque"));
+    };
+    read("now", now_);
+    read("older", older_);
+    old_ = now_;
+    oldStep_ = dict.get<scalar>("step");
+    surface_ = bodySurface
+    (
+        dict.get<pointField>("points"), dict.get<List<triFace>>("triangles")
+    );
+}

@@ -1,0 +1,296 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "meshStencil.H"
+#include "syncTools.H"
+#include "tensor.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- How far outside the cloud of its cells, in its own standard deviations
+//  squared, a vertex may lie before more cells are asked for, and before the
+//  plane is given up for the mean
+static const scalar extendAbove = 4;
+static const scalar averageAbove = 100;
+
+//- Moments of the cells around a vertex, relative to the vertex
+struct meshStencil::moments
+{
+    scalar weight = 0;
+    vector mean = Zero;
+    symmTensor inverseCovariance = Zero;
+
+    //- Squared distance from the vertex to the cloud, in its own metric
+    scalar outside() const
+    {
+        return mean & (inverseCovariance & mean);
+    }
+};
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::fsbi::meshStencil::meshStencil(const fvMesh& mesh)
+:
+    mesh_(mesh),
+    halo_(mesh)
+{
+    update();
+}
+
+
+void Foam::fsbi::meshStencil::update()
+{
+    setFaces();
+    setVertices();
+    setCells();
+}
+
+
+void Foam::fsbi::meshStencil::setFaces()
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const label n = nInternal + halo_.size();
+    const vectorField& C = mesh_.cellCentres();
+    const vectorField& Cf = mesh_.faceCentres();
+    const vectorField& Sf = mesh_.faceAreas();
+
+    owner_.setSize(n);
+    neighbour_.setSize(n);
+    area_.setSize(n);
+    fromOwner_.setSize(n);
+    fromNeighbour_.setSize(n);
+
+    for (label facei = 0; facei < nInternal; ++facei)
+    {
+        owner_[facei] = mesh_.faceOwner()[facei];
+        neighbour_[facei] = mesh_.faceNeighbour()[facei];
+        area_[facei] = Sf[facei];
+        fromOwner_[facei] = Cf[facei] - C[owner_[facei]];
+        fromNeighbour_[facei] = Cf[facei] - C[neighbour_[facei]];
+    }
+
+    label i = nInternal;
+    for (const label patchi : halo_.patches())
+    {
+        const fvPatch& patch = mesh_.boundary()[patchi];
+        const vectorField delta(patch.delta());
+        forAll(patch, patchFacei)
+        {
+            const label facei = patch.start() + patchFacei;
+            owner_[i] = patch.faceCells()[patchFacei];
+            neighbour_[i] = mesh_.nCells() + i - nInternal;
+            area_[i] = Sf[facei];
+            fromOwner_[i] = Cf[facei] - C[owner_[i]];
+            fromNeighbour_[i] = fromOwner_[i] - delta[patchFacei];
+            ++i;
+        }
+    }
+}
+
+
+Foam::vectorField Foam::fsbi::meshStencil::centres() const
+{
+    vectorField result(mesh_.nCells() + halo_.size());
+    std::copy(mesh_.cellCentres().begin(), mesh_.cellCentres().end(), result.begin());
+    for (label i = mesh_.nInternalFaces(); i < owner_.size(); ++i)
+    {
+        result[neighbour_[i]] =
+            result[owner_[i]] + fromOwner_[i] - fromNeighbour_[i];
+    }
+    return result;
+}
+
+
+Foam::List<Foam::fsbi::meshStencil::moments>
+Foam::fsbi::meshStencil::vertexMoments
+(
+    const List<DynamicList<label>>& cells
+) const
+{
+    const pointField& x = mesh_.points();
+    const vectorField C(centres());
+
+    scalarField weight(x.size(), Zero);
+    vectorField first(x.size(), Zero);
+    symmTensorField second(x.size(), Zero);
+    forAll(x, v)
+    {
+        for (const label celli : cells[v])
+        {
+            const vector d(C[celli] - x[v]);
+            const scalar w = 1/magSqr(d);
+            weight[v] += w;
+            first[v] += w*d;
+            second[v] += w*sqr(d);
+        }
+    }
+    syncTools::syncPointList(mesh_, weight, plusEqOp<scalar>(), scalar(0));
+    syncTools::syncPointList(mesh_, first, plusEqOp<vector>(), vector::zero);
+    syncTools::syncPointList
+    (
+        mesh_, second, plusEqOp<symmTensor>(), symmTensor::zero
+    );
+
+    List<moments> result(x.size());
+    forAll(x, v)
+    {
+        moments& m = result[v];
+        m.weight = weight[v];
+        m.mean = first[v]/weight[v];
+        const symmTensor covariance(second[v]/weight[v] - sqr(m.mean));
+        const scalar size = magSqr(m.mean) + tr(covariance);
+        m.inverseCovariance = inv(covariance + 1e-8*size*symmTensor::I);
+    }
+    return result;
+}
+
+
+void Foam::fsbi::meshStencil::extend
+(
+    const List<moments>& m,
+    List<DynamicList<label>>& cells
+) const
+{
+    const pointField& x = mesh_.points();
+    const vectorField C(centres());
+
+    // face neighbours, those behind coupled faces included
+    List<DynamicList<label>> beside;
+
+    forAll(x, v)
+    {
+        if (m[v].outside() < extendAbove)
+        {
+            continue;
+        }
+        if (beside.empty())
+        {
+            beside.setSize(mesh_.nCells());
+            forAll(owner_, i)
+            {
+                beside[owner_[i]].append(neighbour_[i]);
+                if (neighbour_[i] < mesh_.nCells())
+                {
+                    beside[neighbour_[i]].append(owner_[i]);
+                }
+            }
+        }
+        const vector open(normalised(m[v].inverseCovariance & m[v].mean));
+        const scalar gap = mag(open & m[v].mean);
+        const labelList around(cells[v]);
+        for (const label celli : around)
+        {
+            for (const label other : beside[celli])
+            {
+                const vector d(C[other] - x[v] - m[v].mean);
+                if (mag(d & open) > 0.5*gap && !cells[v].found(other))
+                {
+                    cells[v].append(other);
+                }
+            }
+        }
+    }
+}
+
+
+void Foam::fsbi::meshStencil::setVertices()
+{
+    const pointField& x = mesh_.points();
+
+    List<DynamicList<label>> cells(x.size());
+    forAll(x, v)
+    {
+        cells[v] = mesh_.pointCells()[v];
+    }
+    List<moments> m(vertexMoments(cells));
+    extend(m, cells);
+    m = vertexMoments(cells);
+
+    vertexStart_.setSize(x.size() + 1);
+    vertexStart_[0] = 0;
+    forAll(x, v)
+    {
+        vertexStart_[v + 1] = vertexStart_[v] + cells[v].size();
+    }
+    vertexCell_.setSize(vertexStart_.last());
+    vertexWeight_.setSize(vertexStart_.last());
+
+    const vectorField C(centres());
+    forAll(x, v)
+    {
+        const vector slope
+        (
+            m[v].outside() < averageAbove
+          ? m[v].inverseCovariance & m[v].mean
+          : vector::zero
+        );
+        label at = vertexStart_[v];
+        for (const label celli : cells[v])
+        {
+            const vector d(C[celli] - x[v]);
+            vertexCell_[at] = celli;
+            vertexWeight_[at] =
+                (1 - (slope & (d - m[v].mean)))/(magSqr(d)*m[v].weight);
+            ++at;
+        }
+    }
+}
+
+
+void Foam::fsbi::meshStencil::setCells()
+{
+    const labelListList& cellPoints = mesh_.cellPoints();
+    const pointField& x = mesh_.points();
+
+    cellStart_.setSize(mesh_.nCells() + 1);
+    cellStart_[0] = 0;
+    forAll(cellPoints, celli)
+    {
+        cellStart_[celli + 1] = cellStart_[celli] + cellPoints[celli].size();
+    }
+    cellVertex_.setSize(cellStart_.last());
+    cellCoeff_.setSize(cellStart_.last());
+
+    forAll(cellPoints, celli)
+    {
+        const label start = cellStart_[celli];
+        const labelList& vertices = cellPoints[celli];
+        forAll(vertices, i)
+        {
+            cellVertex_[start + i] = vertices[i];
+            cellCoeff_[start + i] = Zero;
+        }
+        for (const label facei : mesh_.cells()[celli])
+        {
+            const face& f = mesh_.faces()[facei];
+            const scalar sign = mesh_.faceOwner()[facei] == celli ? 1 : -1;
+            const vector share
+            (
+                mesh_.faceAreas()[facei]*sign
+               /(f.size()*mesh_.cellVolumes()[celli])
+            );
+            for (const label v : f)
+            {
+                cellCoeff_[start + vertices.find(v)] += share;
+            }
+        }
+
+        tensor M(Zero);
+        forAll(vertices, i)
+        {
+            M += cellCoeff_[start + i]*(x[vertices[i]] - mesh_.cellCentres()[celli]);
+        }
+        const tensor correction(inv(M));
+        forAll(vertices, i)
+        {
+            cellCoeff_[start + i] = correction & cellCoeff_[start + i];
+        }
+    }
+}

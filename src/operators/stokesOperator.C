@@ -1,0 +1,374 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "stokesOperator.H"
+#include "syncTools.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- [u v w p] at a vertex, for summing over processors
+typedef FixedList<scalar, 4> state4;
+
+struct plusEqState4
+{
+    void operator()(state4& a, const state4& b) const
+    {
+        forAll(a, i)
+        {
+            a[i] += b[i];
+        }
+    }
+};
+
+//- Coupled patches are translational: nothing turns
+struct noTransform
+{
+    template<class... Args>
+    void operator()(Args&&...) const
+    {}
+};
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::fsbi::stokesOperator::stokesOperator
+(
+    const fvMesh& mesh,
+    const scalar mu,
+    const boolList& velocityGiven
+)
+:
+    mesh_(mesh),
+    stencil_(mesh),
+    mu_(mu),
+    velocityGiven_(velocityGiven)
+{
+    boolList onWall(mesh.nPoints(), false);
+    forAll(velocityGiven, i)
+    {
+        if (velocityGiven[i])
+        {
+            for (const label v : mesh.faces()[mesh.nInternalFaces() + i])
+            {
+                onWall[v] = true;
+            }
+        }
+    }
+    syncTools::syncPointList(mesh, onWall, orEqOp<bool>(), false);
+    DynamicList<label> vertices;
+    forAll(onWall, v)
+    {
+        if (onWall[v])
+        {
+            vertices.append(v);
+        }
+    }
+    wallVertices_.transfer(vertices);
+
+    const label nCells = mesh.nCells() + stencil_.halo().size();
+    vertexValues_.setSize(4*mesh.nPoints());
+    values_.setSize(4*nCells);
+    gradients_.setSize(12*nCells);
+    setStabilisation();
+}
+
+
+void Foam::fsbi::stokesOperator::update()
+{
+    stencil_.update();
+    setStabilisation();
+}
+
+
+void Foam::fsbi::stokesOperator::setStabilisation()
+{
+    const vectorField& S = stencil_.area();
+    scalarField diagonal(mesh_.nCells() + stencil_.halo().size(), Zero);
+    forAll(S, i)
+    {
+        const faceGradient face
+        (
+            S[i], stencil_.fromOwner()[i], stencil_.fromNeighbour()[i]
+        );
+        diagonal[stencil_.owner()[i]] += mu_*face.compact();
+        diagonal[stencil_.neighbour()[i]] += mu_*face.compact();
+    }
+    forAll(velocityGiven_, i)
+    {
+        const label facei = mesh_.nInternalFaces() + i;
+        const label celli = mesh_.faceOwner()[facei];
+        if (velocityGiven_[i])
+        {
+            const vector& Sf = mesh_.faceAreas()[facei];
+            const wallGradient wall
+            (
+                Sf, mesh_.faceCentres()[facei] - mesh_.cellCentres()[celli]
+            );
+            diagonal[celli] += mu_*mag(Sf)/wall.distance();
+        }
+    }
+    stabilisation_.setSize(diagonal.size());
+    forAll(mesh_.cellVolumes(), celli)
+    {
+        stabilisation_[celli] = mesh_.cellVolumes()[celli]/diagonal[celli];
+    }
+    stencil_.halo().fill(stabilisation_.data(), 1);
+}
+
+
+void Foam::fsbi::stokesOperator::setVertexValues
+(
+    const scalar* x,
+    const boundaryValues& b
+) const
+{
+    std::copy_n(x, 4*mesh_.nCells(), values_.begin());
+    stencil_.halo().fill(values_.data(), 4);
+
+    const label* start = stencil_.vertexStart().cdata();
+    const label* cell = stencil_.vertexCell().cdata();
+    const scalar* weight = stencil_.vertexWeight().cdata();
+    const label nPoints = mesh_.nPoints();
+
+    for (label v = 0; v < nPoints; ++v)
+    {
+        scalar sum[4] = {0, 0, 0, 0};
+        for (label i = start[v]; i < start[v + 1]; ++i)
+        {
+            const scalar* xi = values_.cdata() + 4*cell[i];
+            const scalar w = weight[i];
+            sum[0] += w*xi[0];
+            sum[1] += w*xi[1];
+            sum[2] += w*xi[2];
+            sum[3] += w*xi[3];
+        }
+        std::copy_n(sum, 4, vertexValues_.begin() + 4*v);
+    }
+
+    if (mesh_.globalData().nGlobalPoints() || stencil_.halo().size() || UPstream::parRun())
+    {
+        List<state4> sums(nPoints);
+        std::copy_n(vertexValues_.begin(), 4*nPoints, sums[0].begin());
+        syncTools::syncPointList
+        (
+            mesh_, sums, plusEqState4(), state4(scalar(0)), noTransform()
+        );
+        std::copy_n(sums[0].begin(), 4*nPoints, vertexValues_.begin());
+    }
+
+    forAll(wallVertices_, i)
+    {
+        scalar* value = vertexValues_.begin() + 4*wallVertices_[i];
+        value[0] = b.vertices[i].x();
+        value[1] = b.vertices[i].y();
+        value[2] = b.vertices[i].z();
+    }
+}
+
+
+void Foam::fsbi::stokesOperator::setGradients() const
+{
+    const label* start = stencil_.cellStart().cdata();
+    const label* vertex = stencil_.cellVertex().cdata();
+    const vector* coeff = stencil_.cellCoeff().cdata();
+    const label nCells = mesh_.nCells();
+
+    for (label celli = 0; celli < nCells; ++celli)
+    {
+        scalar g[12] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+        for (label i = start[celli]; i < start[celli + 1]; ++i)
+        {
+            const scalar* phi = vertexValues_.cdata() + 4*vertex[i];
+            const vector& c = coeff[i];
+            for (label k = 0; k < 4; ++k)
+            {
+                g[3*k] += c.x()*phi[k];
+                g[3*k + 1] += c.y()*phi[k];
+                g[3*k + 2] += c.z()*phi[k];
+            }
+        }
+        std::copy_n(g, 12, gradients_.begin() + 12*celli);
+    }
+    stencil_.halo().fill(gradients_.data(), 12);
+}
+
+
+void Foam::fsbi::stokesOperator::addInnerFaces(scalar* r) const
+{
+    const label* owner = stencil_.owner().cdata();
+    const label* neighbour = stencil_.neighbour().cdata();
+    const vector* area = stencil_.area().cdata();
+    const vector* fromOwner = stencil_.fromOwner().cdata();
+    const vector* fromNeighbour = stencil_.fromNeighbour().cdata();
+    const label nFaces = stencil_.owner().size();
+    const label nCells = mesh_.nCells();
+
+    for (label i = 0; i < nFaces; ++i)
+    {
+        const vector& S = area[i];
+        const faceGradient face(S, fromOwner[i], fromNeighbour[i]);
+        const label P = owner[i];
+        const label N = neighbour[i];
+        const scalar* xP = values_.cdata() + 4*P;
+        const scalar* xN = values_.cdata() + 4*N;
+        const scalar* gP = gradients_.cdata() + 12*P;
+        const scalar* gN = gradients_.cdata() + 12*N;
+
+        const scalar p = face.value(xP[3], xN[3], gP + 9, gN + 9);
+        const vector Hu(face.gradient(xP[0], xN[0], gP, gN));
+        const vector Hv(face.gradient(xP[1], xN[1], gP + 3, gN + 3));
+        const vector Hw(face.gradient(xP[2], xN[2], gP + 6, gN + 6));
+
+        // mu (H + H^T).S - p S
+        const vector transposed(S.x()*Hu + S.y()*Hv + S.z()*Hw);
+        const vector t
+        (
+            mu_*((Hu & S) + transposed.x()) - p*S.x(),
+            mu_*((Hv & S) + transposed.y()) - p*S.y(),
+            mu_*((Hw & S) + transposed.z()) - p*S.z()
+        );
+
+        const scalar w = face.weight();
+        const scalar D = w*stabilisation_[P] + (1 - w)*stabilisation_[N];
+        const scalar flux =
+            S.x()*face.value(xP[0], xN[0], gP, gN)
+          + S.y()*face.value(xP[1], xN[1], gP + 3, gN + 3)
+          + S.z()*face.value(xP[2], xN[2], gP + 6, gN + 6)
+          - D*face.compact()*face.jump(xP[3], xN[3], gP + 9, gN + 9);
+
+        scalar* rP = r + 4*P;
+        rP[0] -= t.x();
+        rP[1] -= t.y();
+        rP[2] -= t.z();
+        rP[3] += flux;
+        if (N < nCells)
+        {
+            scalar* rN = r + 4*N;
+            rN[0] += t.x();
+            rN[1] += t.y();
+            rN[2] += t.z();
+            rN[3] -= flux;
+        }
+    }
+}
+
+
+void Foam::fsbi::stokesOperator::addBoundaryFaces
+(
+    const boundaryValues& b,
+    scalar* r,
+    vectorField& traction
+) const
+{
+    const labelUList& owner = mesh_.faceOwner();
+    const vectorField& Cf = mesh_.faceCentres();
+    const vectorField& C = mesh_.cellCentres();
+
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        if (pp.coupled())
+        {
+            continue;
+        }
+        for (label facei = pp.start(); facei < pp.start() + pp.size(); ++facei)
+        {
+            const label i = facei - mesh_.nInternalFaces();
+            const label P = owner[facei];
+            const vector& S = mesh_.faceAreas()[facei];
+            const wallGradient wall(S, Cf[facei] - C[P]);
+            const scalar* x = values_.cdata() + 4*P;
+            const scalar* g = gradients_.cdata() + 12*P;
+            scalar* rP = r + 4*P;
+
+            scalar flux;
+            if (velocityGiven_[i])
+            {
+                const vector& ub = b.faces[i];
+                const vector Hu(wall.gradient(x[0], ub.x(), g));
+                const vector Hv(wall.gradient(x[1], ub.y(), g + 3));
+                const vector Hw(wall.gradient(x[2], ub.z(), g + 6));
+                const scalar p = wall.value(x[3], g + 9);
+                const vector transposed(S.x()*Hu + S.y()*Hv + S.z()*Hw);
+                traction[i] =
+                    mu_*(vector(Hu & S, Hv & S, Hw & S) + transposed) - p*S;
+                flux = ub & S;
+            }
+            else
+            {
+                // the pressure that the given traction asks for, against
+                // the one extrapolated, drives the stabilising flux
+                const vector& n = wall.normal();
+                const vector Hn(n.x()*vector(g[0], g[1], g[2])
+                  + n.y()*vector(g[3], g[4], g[5])
+                  + n.z()*vector(g[6], g[7], g[8]));
+                const scalar p = 2*mu_*(Hn & n) - (b.faces[i] & n);
+                traction[i] = mag(S)*b.faces[i];
+                flux =
+                    S.x()*wall.value(x[0], g)
+                  + S.y()*wall.value(x[1], g + 3)
+                  + S.z()*wall.value(x[2], g + 6)
+                  - stabilisation_[P]*mag(S)/wall.distance()
+                   *(p - wall.value(x[3], g + 9));
+            }
+            rP[0] -= traction[i].x();
+            rP[1] -= traction[i].y();
+            rP[2] -= traction[i].z();
+            rP[3] += flux;
+        }
+    }
+}
+
+
+void Foam::fsbi::stokesOperator::residual
+(
+    const scalar* x,
+    const boundaryValues& b,
+    scalar* r,
+    vectorField& traction
+) const
+{
+    std::fill_n(r, 4*mesh_.nCells(), scalar(0));
+    setVertexValues(x, b);
+    setGradients();
+    addInnerFaces(r);
+    addBoundaryFaces(b, r, traction);
+}
+
+
+Foam::tmp<Foam::tensorField>
+Foam::fsbi::stokesOperator::velocityGradients() const
+{
+    auto result = tmp<tensorField>::New(mesh_.nCells());
+    forAll(result(), celli)
+    {
+        const scalar* g = gradients_.cdata() + 12*celli;
+        result.ref()[celli] = tensor
+        (
+            g[0], g[3], g[6], g[1], g[4], g[7], g[2], g[5], g[8]
+        );
+    }
+    return result;
+}
+
+
+Foam::tmp<Foam::scalarField>
+Foam::fsbi::stokesOperator::boundaryPressure() const
+{
+    auto result = tmp<scalarField>::New(nBoundaryFaces());
+    forAll(result(), i)
+    {
+        const label facei = mesh_.nInternalFaces() + i;
+        const label P = mesh_.faceOwner()[facei];
+        const vector db(mesh_.faceCentres()[facei] - mesh_.cellCentres()[P]);
+        const scalar* g = gradients_.cdata() + 12*P + 9;
+        result.ref()[i] =
+            values_[4*P + 3] + g[0]*db.x() + g[1]*db.y() + g[2]*db.z();
+    }
+    return result;
+}

@@ -1,0 +1,484 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "coupledSystem.H"
+#include "checkedDictionary.H"
+#include "mathematicalConstants.H"
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
+
+//- Growth of the iterations that makes a new hierarchy worth its price
+static const Foam::scalar renewAbove = 1.3;
+
+
+Foam::fsbi::coupledSystem::coupledSystem
+(
+    const fvMesh& mesh,
+    const stokesOperator& stokes,
+    const dictionary& dict,
+    const scalar length
+)
+:
+    mesh_(mesh),
+    stokes_(stokes),
+    preconditioner_(mesh, stokes),
+    length_(length),
+    traction_(stokes.nBoundaryFaces(), Zero),
+    freshIterations_(0)
+{
+    const checkedDictionary entries(dict);
+    entries.choice("method", {"coupled"}, "coupled");
+    tolerance_ = entries.positive("tolerance", 1e-6);
+    maxIterations_ = entries.getOrDefault<label>("maxIterations", 300);
+    entries.finish();
+
+    boolList velocityGiven(stokes.velocityGiven());
+    closed_ = true;
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        for (label i = 0; !pp.coupled() && i < pp.size(); ++i)
+        {
+            closed_ &= velocityGiven[pp.start() - mesh.nInternalFaces() + i];
+        }
+    }
+    reduce(closed_, andOp<bool>());
+}
+
+
+void Foam::fsbi::coupledSystem::createKrylov(const label nBodies)
+{
+    const PetscInt n =
+        4*mesh_.nCells() + (Pstream::master() ? 6*nBodies : 0);
+
+    petscCheck
+    (
+        MatCreateShell
+        (
+            PETSC_COMM_WORLD, n, n, PETSC_DETERMINE, PETSC_DETERMINE, this,
+            operator_.create()
+        )
+    );
+    petscCheck
+    (
+        MatShellSetOperation
+        (
+            operator_, MATOP_MULT, reinterpret_cast<void(*)(void)>(multiply)
+        )
+    );
+    petscCheck(MatCreateVecs(operator_, unknown_.create(), rhs_.create()));
+    if (closed_)
+    {
+        setNullSpace(nBodies);
+    }
+
+    PC pc;
+    petscCheck(KSPCreate(PETSC_COMM_WORLD, krylov_.create()));
+    petscCheck(KSPSetOperators(krylov_, operator_, operator_));
+    petscCheck(KSPSetType(krylov_, KSPFGMRES));
+    petscCheck(KSPGMRESSetRestart(krylov_, 60));
+    petscCheck(KSPSetInitialGuessNonzero(krylov_, PETSC_TRUE));
+    petscCheck
+    (
+        KSPSetTolerances
+        (
+            krylov_, tolerance_, PETSC_DEFAULT, PETSC_DEFAULT, maxIterations_
+        )
+    );
+    petscCheck(KSPGetPC(krylov_, &pc));
+    petscCheck(PCSetType(pc, PCSHELL));
+    petscCheck(PCShellSetContext(pc, this));
+    petscCheck(PCShellSetApply(pc, applyPreconditioner));
+    petscCheck(KSPSetOptionsPrefix(krylov_, "fsbiKrylov_"));
+    petscCheck(KSPSetFromOptions(krylov_));
+}
+
+
+void Foam::fsbi::coupledSystem::setNullSpace(const label nBodies)
+{
+    petscVector constant;
+    petscCheck(VecDuplicate(unknown_, constant.create()));
+    PetscScalar* values;
+    VecGetArray(constant, &values);
+    std::fill_n(values, 4*mesh_.nCells(), PetscScalar(0));
+    if (Pstream::master())
+    {
+        std::fill_n(values + 4*mesh_.nCells(), 6*nBodies, PetscScalar(0));
+    }
+    for (label i = 0; i < mesh_.nCells(); ++i)
+    {
+        values[4*i + 3] = 1;
+    }
+    VecRestoreArray(constant, &values);
+    petscCheck(VecNormalize(constant, nullptr));
+
+    petscNullSpace space;
+    Vec held = constant;
+    petscCheck
+    (
+        MatNullSpaceCreate
+        (
+            PETSC_COMM_WORLD, PETSC_FALSE, 1, &held, space.create()
+        )
+    );
+    petscCheck(MatSetNullSpace(operator_, space));
+}
+
+
+Foam::List<Foam::fsbi::sixVector>
+Foam::fsbi::coupledSystem::readBodies(const scalar* x) const
+{
+    List<sixVector> v(bodies_->size());
+    forAll(v, b)
+    {
+        if (Pstream::master())
+        {
+            std::copy_n(x + 4*mesh_.nCells() + 6*b, 6, v[b].begin());
+            for (label k = 3; k < 6; ++k)
+            {
+                v[b][k] /= length_;
+            }
+        }
+        MPI_Bcast(v[b].data(), 6, MPI_DOUBLE, 0, PETSC_COMM_WORLD);
+    }
+    return v;
+}
+
+
+void Foam::fsbi::coupledSystem::writeBodies
+(
+    const UList<sixVector>& v,
+    scalar* x
+) const
+{
+    if (!Pstream::master())
+    {
+        return;
+    }
+    forAll(v, b)
+    {
+        scalar* at = x + 4*mesh_.nCells() + 6*b;
+        std::copy_n(v[b].begin(), 6, at);
+        for (label k = 3; k < 6; ++k)
+        {
+            at[k] *= length_;
+        }
+    }
+}
+
+
+void Foam::fsbi::coupledSystem::setBodyVelocities
+(
+    const UList<sixVector>& v
+) const
+{
+    forAll(v, b)
+    {
+        const bodyRows& body = (*bodies_)[b];
+        const vector V(linear(v[b])), omega(angular(v[b]));
+        for (const label i : body.faces)
+        {
+            const point& x = mesh_.faceCentres()[mesh_.nInternalFaces() + i];
+            values_.faces[i] = V + (omega ^ (x - body.centre));
+        }
+        for (const label i : body.vertices)
+        {
+            const point& x = mesh_.points()[stokes_.wallVertices()[i]];
+            values_.vertices[i] = V + (omega ^ (x - body.centre));
+        }
+    }
+}
+
+
+void Foam::fsbi::coupledSystem::bodyResidual
+(
+    const UList<sixVector>& v,
+    const bool homogeneous,
+    List<sixVector>& r
+) const
+{
+    forAll(v, b)
+    {
+        const bodyRows& body = (*bodies_)[b];
+        vector force(Zero), torque(Zero);
+        for (const label i : body.faces)
+        {
+            const point& x = mesh_.faceCentres()[mesh_.nInternalFaces() + i];
+            force += traction_[i];
+            torque += (x - body.centre) ^ traction_[i];
+        }
+        // the fluid's outward traction is minus the load on the body
+        r[b] = join(force, torque);
+        MPI_Allreduce
+        (
+            MPI_IN_PLACE, r[b].data(), 6, MPI_DOUBLE, MPI_SUM,
+            PETSC_COMM_WORLD
+        );
+        const sixVector inertia
+        (
+            join
+            (
+                body.massRate*linear(v[b]), body.inertiaRate & angular(v[b])
+            )
+        );
+        forAll(r[b], k)
+        {
+            if (body.free[k])
+            {
+                r[b][k] += inertia[k] - (homogeneous ? 0 : body.rhs[k]);
+            }
+            else
+            {
+                r[b][k] = v[b][k] - (homogeneous ? 0 : body.velocity[k]);
+            }
+        }
+    }
+}
+
+
+void Foam::fsbi::coupledSystem::residual
+(
+    const scalar* x,
+    scalar* r,
+    const bool homogeneous
+) const
+{
+    const scalar mu = stokes_.mu();
+    const label n = mesh_.nCells();
+
+    if (homogeneous)
+    {
+        values_.faces = Zero;
+        values_.vertices = Zero;
+    }
+    else
+    {
+        values_.faces = given_->faces;
+        values_.vertices = given_->vertices;
+    }
+    const List<sixVector> v(readBodies(x));
+    setBodyVelocities(v);
+
+    std::copy_n(x, 4*n, state_.begin());
+    for (label i = 0; i < n; ++i)
+    {
+        state_[4*i + 3] *= mu/length_;
+    }
+    stokes_.residual(state_.cdata(), values_, r, traction_);
+    List<sixVector> bodyR(v.size());
+    bodyResidual(v, homogeneous, bodyR);
+
+    const scalar perForce = 1/(mu*length_);
+    const scalar perFlux = 1/sqr(length_);
+    for (label i = 0; i < n; ++i)
+    {
+        r[4*i] *= perForce;
+        r[4*i + 1] *= perForce;
+        r[4*i + 2] *= perForce;
+        r[4*i + 3] *= perFlux;
+    }
+    forAll(bodyR, b)
+    {
+        forAll(bodyR[b], k)
+        {
+            // rows of forces and torques, or of given velocities; the latter
+            // and torques are brought to scale by writeBodies()
+            const bool free = (*bodies_)[b].free[k];
+            bodyR[b][k] *= free ? (k < 3 ? perForce : perForce/sqr(length_)) : 1;
+        }
+    }
+    writeBodies(bodyR, r);
+}
+
+
+PetscErrorCode Foam::fsbi::coupledSystem::multiply(Mat A, Vec in, Vec out)
+{
+    void* context;
+    MatShellGetContext(A, &context);
+    const PetscScalar* x;
+    PetscScalar* y;
+    VecGetArrayRead(in, &x);
+    VecGetArray(out, &y);
+    static_cast<coupledSystem*>(context)->residual(x, y, true);
+    VecRestoreArray(out, &y);
+    VecRestoreArrayRead(in, &x);
+    return 0;
+}
+
+
+PetscErrorCode Foam::fsbi::coupledSystem::applyPreconditioner
+(
+    PC pc, Vec in, Vec out
+)
+{
+    void* context;
+    PCShellGetContext(pc, &context);
+    const PetscScalar* r;
+    PetscScalar* z;
+    VecGetArrayRead(in, &r);
+    VecGetArray(out, &z);
+    static_cast<coupledSystem*>(context)->precondition(r, z);
+    VecRestoreArray(out, &z);
+    VecRestoreArrayRead(in, &r);
+    return 0;
+}
+
+
+void Foam::fsbi::coupledSystem::precondition
+(
+    const scalar* r,
+    scalar* z
+) const
+{
+    const scalar mu = stokes_.mu();
+    const label n = mesh_.nCells();
+    const scalar force = mu*length_, flux = sqr(length_);
+
+    for (label i = 0; i < n; ++i)
+    {
+        state_[4*i] = force*r[4*i];
+        state_[4*i + 1] = force*r[4*i + 1];
+        state_[4*i + 2] = force*r[4*i + 2];
+        state_[4*i + 3] = flux*r[4*i + 3];
+    }
+
+    List<sixVector> v(readBodies(r));
+    forAll(v, b)
+    {
+        const bodyRows& body = (*bodies_)[b];
+        const scalar a = body.radius/length_;
+        const scalar pi = constant::mathematical::pi;
+        const scalar m = body.massRate/(mu*length_);
+        const scalar I = tr(body.inertiaRate)/(3*mu*pow3(length_));
+        forAll(v[b], k)
+        {
+            if (body.free[k])
+            {
+                v[b][k] /= k < 3 ? 6*pi*a + m : 8*pi*pow3(a) + I;
+            }
+        }
+    }
+    values_.faces = Zero;
+    values_.vertices = Zero;
+    setBodyVelocities(v);
+    forAll(v, b)
+    {
+        for (const label i : (*bodies_)[b].faces)
+        {
+            const label facei = mesh_.nInternalFaces() + i;
+            const scalar k = preconditioner_.wallCoeff(i);
+            const vector& u = values_.faces[i];
+            scalar* row = state_.begin() + 4*mesh_.faceOwner()[facei];
+            row[0] += k*u.x();
+            row[1] += k*u.y();
+            row[2] += k*u.z();
+            row[3] -= u & mesh_.faceAreas()[facei];
+        }
+    }
+
+    preconditioner_.apply(state_.cdata(), z);
+    for (label i = 0; i < n; ++i)
+    {
+        z[4*i + 3] *= length_/mu;
+    }
+    writeBodies(v, z);
+}
+
+
+Foam::fsbi::solverReport Foam::fsbi::coupledSystem::solve
+(
+    const boundaryValues& given,
+    const vectorField& force,
+    UList<bodyRows>& bodies,
+    scalarList& x,
+    vectorField& traction
+)
+{
+    const label n = mesh_.nCells();
+    const scalar mu = stokes_.mu();
+    given_ = &given;
+    bodies_ = &bodies;
+    values_ = given;
+    state_.setSize(4*n);
+    result_.setSize(4*n + (Pstream::master() ? 6*bodies.size() : 0));
+    if (!krylov_)
+    {
+        createKrylov(bodies.size());
+    }
+    if (!freshIterations_)
+    {
+        preconditioner_.rebuild();
+    }
+
+    List<sixVector> v(bodies.size());
+    forAll(v, b)
+    {
+        v[b] = bodies[b].velocity;
+    }
+
+    // right-hand side: minus the residual at rest
+    PetscScalar* values;
+    VecGetArray(unknown_, &values);
+    std::fill_n(values, 4*n, PetscScalar(0));
+    writeBodies(List<sixVector>(v.size(), sixVector(scalar(0))), values);
+    PetscScalar* rhs;
+    VecGetArray(rhs_, &rhs);
+    residual(values, rhs, false);
+    for (label i = 0; i < n; ++i)
+    {
+        for (label k = 0; k < 3; ++k)
+        {
+            rhs[4*i + k] -= force[i][k]/(mu*length_);
+        }
+    }
+    VecRestoreArray(rhs_, &rhs);
+    petscCheck(VecScale(rhs_, -1));
+
+    std::copy_n(x.begin(), 4*n, values);
+    for (label i = 0; i < n; ++i)
+    {
+        values[4*i + 3] *= length_/mu;
+    }
+    writeBodies(v, values);
+    VecRestoreArray(unknown_, &values);
+
+    petscCheck(KSPSolve(krylov_, rhs_, unknown_));
+
+    solverReport report;
+    PetscInt iterations;
+    PetscReal norm, rhsNorm;
+    KSPConvergedReason reason;
+    KSPGetIterationNumber(krylov_, &iterations);
+    KSPGetResidualNorm(krylov_, &norm);
+    KSPGetConvergedReason(krylov_, &reason);
+    VecNorm(rhs_, NORM_2, &rhsNorm);
+    report.iterations = iterations;
+    report.residual = norm/max(rhsNorm, VSMALL);
+    report.converged = reason > 0;
+
+    VecGetArray(unknown_, &values);
+    residual(values, result_.data(), false);
+    v = readBodies(values);
+    std::copy_n(values, 4*n, x.begin());
+    for (label i = 0; i < n; ++i)
+    {
+        x[4*i + 3] *= mu/length_;
+    }
+    VecRestoreArray(unknown_, &values);
+    forAll(v, b)
+    {
+        bodies[b].velocity = v[b];
+    }
+    traction = traction_;
+
+    if (!freshIterations_)
+    {
+        freshIterations_ = max(report.iterations, 1);
+    }
+    else if (report.iterations > renewAbove*freshIterations_)
+    {
+        renew();
+    }
+    return report;
+}
