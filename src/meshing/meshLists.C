@@ -6,6 +6,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshLists.H"
 #include "fvMesh.H"
 #include "ListOps.H"
+#include "IStringStream.H"
+#include "OStringStream.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -48,8 +50,16 @@ Foam::autoPtr<Foam::fvMesh> Foam::fsbi::meshLists::makeMesh
 
 Foam::Ostream& Foam::fsbi::operator<<(Ostream& os, const meshLists& m)
 {
+    // as text: a dictionary itself cannot be read from the middle of a stream
+    List<string> dicts(m.patchDicts.size());
+    forAll(dicts, i)
+    {
+        OStringStream text;
+        m.patchDicts[i].write(text, false);
+        dicts[i] = text.str();
+    }
     os  << m.points << m.faces << m.owner << m.neighbour << m.patchNames
-        << m.patchDicts << m.patchStarts << m.patchSizes << m.bodyPoints
+        << dicts << m.patchStarts << m.patchSizes << m.bodyPoints
         << m.failure;
     return os;
 }
@@ -57,8 +67,14 @@ Foam::Ostream& Foam::fsbi::operator<<(Ostream& os, const meshLists& m)
 
 Foam::Istream& Foam::fsbi::operator>>(Istream& is, meshLists& m)
 {
+    List<string> dicts;
     is  >> m.points >> m.faces >> m.owner >> m.neighbour >> m.patchNames
-        >> m.patchDicts >> m.patchStarts >> m.patchSizes >> m.bodyPoints
+        >> dicts >> m.patchStarts >> m.patchSizes >> m.bodyPoints
         >> m.failure;
+    m.patchDicts.setSize(dicts.size());
+    forAll(dicts, i)
+    {
+        m.patchDicts[i] = dictionary(IStringStream(dicts[i])());
+    }
     return is;
 }

@@ -10,19 +10,15 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 void Foam::fsbi::sizeField::addSurface(const bodySurface& surface)
 {
-    List<labelledTri> triangles(surface.triangles().size());
+    const List<triFace>& triangles = surface.triangles();
     scalarField sizes(triangles.size());
     const scalarField pointSizes(surface.pointSizes());
     forAll(triangles, i)
     {
-        const triFace& t = surface.triangles()[i];
-        triangles[i] = labelledTri(t[0], t[1], t[2], 0);
+        const triFace& t = triangles[i];
         sizes[i] = (pointSizes[t[0]] + pointSizes[t[1]] + pointSizes[t[2]])/3;
     }
-    surfaces_.append(new triSurface(triangles, surface.points()));
-    searches_.append(new triSurfaceSearch(surfaces_.last()));
-    searches_.last().tree();
-    boxes_.append(treeBoundBox(surface.points()));
+    surfaces_.append(new surfaceDistance(surface.points(), triangles));
     sizes_.append(sizes);
 }
 
@@ -92,23 +88,19 @@ Foam::scalar Foam::fsbi::sizeField::operator()(const point& p) const
 {
     scalar h = farSize(p);
     scalar first = reach_, second = reach_;
-    forAll(searches_, i)
+    forAll(surfaces_, i)
     {
-        if (!boxes_[i].overlaps(p, sqr(reach_)))
+        scalar d;
+        label triangle;
+        if (!surfaces_[i].find(p, reach_, d, triangle))
         {
             continue;
         }
-        const pointIndexHit hit(searches_[i].tree().findNearest(p, sqr(reach_)));
-        if (!hit.hit())
-        {
-            continue;
-        }
-        const scalar d = mag(hit.hitPoint() - p);
         second = min(second, max(first, d));
         first = min(first, d);
-        if (i < searches_.size() - 1)
+        if (i < surfaces_.size() - 1)
         {
-            h = min(h, sizes_[i][hit.index()] + growth_*d);
+            h = min(h, sizes_[i][triangle] + growth_*d);
         }
     }
     return min(h, max(minSize_, (first + second)/cellsPerGap_));

@@ -1,0 +1,295 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "meshDistribution.H"
+#include "Pstream.H"
+#include "boundBox.H"
+#include "ListOps.H"
+#include "IStringStream.H"
+#include "OStringStream.H"
+
+#include <algorithm>
+#include <map>
+
+namespace Foam
+{
+namespace fsbi
+{
+
+static void halve
+(
+    const pointField& centres,
+    SubList<label> cells,
+    const label firstRank,
+    const label nRanks,
+    labelList& rank
+)
+{
+    if (nRanks == 1)
+    {
+        for (const label c : cells)
+        {
+            rank[c] = firstRank;
+        }
+        return;
+    }
+    boundBox box;
+    for (const label c : cells)
+    {
+        box.add(centres[c]);
+    }
+    const vector span(box.span());
+    direction d = span.x() >= span.y() ? 0 : 1;
+    d = span[d] >= span.z() ? d : 2;
+
+    const label left = nRanks/2;
+    const label n = label(scalar(cells.size())*left/nRanks);
+    std::nth_element
+    (
+        cells.begin(), cells.begin() + n, cells.end(),
+        [&](const label a, const label b)
+        {
+            return
+                centres[a][d] < centres[b][d]
+             || (centres[a][d] == centres[b][d] && a < b);
+        }
+    );
+    halve(centres, SubList<label>(cells, n), firstRank, left, rank);
+    halve
+    (
+        centres, SubList<label>(cells, cells.size() - n, n),
+        firstRank + left, nRanks - left, rank
+    );
+}
+
+
+static face renumbered(const face& f, const labelList& localPoint)
+{
+    face result(f.size());
+    forAll(f, i)
+    {
+        result[i] = localPoint[f[i]];
+    }
+    return result;
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsbi::meshDistribution::select
+(
+    const meshLists& whole, const labelList& cellRank
+)
+{
+    const label me = Pstream::myProcNo();
+    labelList localCell(cellRank.size(), -1);
+    DynamicList<label> mine;
+    forAll(cellRank, c)
+    {
+        if (cellRank[c] == me)
+        {
+            localCell[c] = mine.size();
+            mine.append(c);
+        }
+    }
+    cells.transfer(mine);
+
+    boolList used(whole.points.size(), false);
+    const label nInternal = whole.neighbour.size();
+    forAll(whole.faces, f)
+    {
+        if
+        (
+            localCell[whole.owner[f]] >= 0
+         || (f < nInternal && localCell[whole.neighbour[f]] >= 0)
+        )
+        {
+            for (const label p : whole.faces[f])
+            {
+                used[p] = true;
+            }
+        }
+    }
+    labelList localPoint(whole.points.size(), -1);
+    DynamicList<label> kept;
+    forAll(used, p)
+    {
+        if (used[p])
+        {
+            localPoint[p] = kept.size();
+            kept.append(p);
+        }
+    }
+    points.transfer(kept);
+    mesh.points = pointField(whole.points, points);
+
+    growingFaces part;
+    for (label f = 0; f < nInternal; ++f)
+    {
+        const label o = localCell[whole.owner[f]];
+        const label n = localCell[whole.neighbour[f]];
+        if (o >= 0 && n >= 0)
+        {
+            part.faces.append(renumbered(whole.faces[f], localPoint));
+            part.owner.append(o);
+            part.neighbour.append(n);
+            part.numbers.append(f);
+        }
+    }
+    forAll(whole.patchStarts, patchi)
+    {
+        mesh.patchStarts.append(part.faces.size());
+        const label start = whole.patchStarts[patchi];
+        for (label f = start; f < start + whole.patchSizes[patchi]; ++f)
+        {
+            if (localCell[whole.owner[f]] >= 0)
+            {
+                part.faces.append(renumbered(whole.faces[f], localPoint));
+                part.owner.append(localCell[whole.owner[f]]);
+                part.numbers.append(f);
+            }
+        }
+        mesh.patchSizes.append(part.faces.size() - mesh.patchStarts[patchi]);
+    }
+    addProcessorPatches(whole, cellRank, localCell, localPoint, part);
+    mesh.faces.transfer(part.faces);
+    mesh.owner.transfer(part.owner);
+    mesh.neighbour.transfer(part.neighbour);
+    faces.transfer(part.numbers);
+}
+
+
+void Foam::fsbi::meshDistribution::addProcessorPatches
+(
+    const meshLists& whole,
+    const labelList& cellRank,
+    const labelList& localCell,
+    const labelList& localPoint,
+    growingFaces& part
+)
+{
+    const label me = Pstream::myProcNo();
+    std::map<label, DynamicList<label>> shared;
+    forAll(whole.neighbour, f)
+    {
+        const label o = cellRank[whole.owner[f]];
+        const label n = cellRank[whole.neighbour[f]];
+        if (o != n && (o == me || n == me))
+        {
+            shared[o == me ? n : o].append(f);
+        }
+    }
+
+    for (const auto& other : shared)
+    {
+        const word rank(Foam::name(me)), otherRank(Foam::name(other.first));
+        dictionary dict;
+        dict.set("type", "processor");
+        dict.set("inGroups", wordList({"processor"}));
+        dict.set("matchTolerance", 1e-4);
+        dict.set("transform", "unknown");
+        dict.set("myProcNo", me);
+        dict.set("neighbProcNo", other.first);
+        mesh.patchNames.append("procBoundary" + rank + "to" + otherRank);
+        mesh.patchDicts.append(dict);
+        mesh.patchStarts.append(part.faces.size());
+        mesh.patchSizes.append(other.second.size());
+        for (const label f : other.second)
+        {
+            const bool owner = cellRank[whole.owner[f]] == me;
+            const face local(renumbered(whole.faces[f], localPoint));
+            part.faces.append(owner ? local : local.reverseFace());
+            part.owner.append
+            (
+                localCell[owner ? whole.owner[f] : whole.neighbour[f]]
+            );
+            part.numbers.append(f);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsbi::meshDistribution::meshDistribution
+(
+    const meshLists& whole, const labelList& cellRank
+)
+{
+    if (!Pstream::parRun())
+    {
+        mesh = whole;
+        cells = identity(whole.nCells());
+        faces = identity(whole.faces.size());
+        points = identity(whole.points.size());
+        wholePatchStarts = whole.patchStarts;
+        return;
+    }
+
+    meshLists all;
+    labelList ranks;
+    if (Pstream::master())
+    {
+        all = whole;
+        ranks = cellRank;
+    }
+    Pstream::scatter(all);
+    Pstream::scatter(ranks);
+    for (const dictionary& dict : all.patchDicts)
+    {
+        if (dict.get<word>("type") == "cyclic")
+        {
+            FatalErrorInFunction
+                << "Cyclic patches work on one processor only; run in serial"
+                << exit(FatalError);
+        }
+    }
+    wholePatchStarts = all.patchStarts;
+    mesh.patchNames = all.patchNames;
+    mesh.patchDicts = all.patchDicts;
+    mesh.bodyPoints = all.bodyPoints;
+    mesh.failure = all.failure;
+    select(all, ranks);
+}
+
+
+// * * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * //
+
+Foam::labelList Foam::fsbi::meshDistribution::bisect
+(
+    const meshLists& whole, const label nRanks
+)
+{
+    pointField centres(whole.nCells(), Zero);
+    labelList n(centres.size(), Zero);
+    forAll(whole.faces, f)
+    {
+        const point c(whole.faces[f].centre(whole.points));
+        centres[whole.owner[f]] += c;
+        ++n[whole.owner[f]];
+        if (f < whole.neighbour.size())
+        {
+            centres[whole.neighbour[f]] += c;
+            ++n[whole.neighbour[f]];
+        }
+    }
+    forAll(centres, c)
+    {
+        centres[c] /= n[c];
+    }
+    labelList rank(centres.size(), Zero);
+    labelList order(identity(centres.size()));
+    if (order.size())
+    {
+        halve
+        (
+            centres, SubList<label>(order, order.size()), 0, nRanks, rank
+        );
+    }
+    return rank;
+}

@@ -1,0 +1,204 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "rigidBlendMotion.H"
+#include "surfaceDistance.H"
+#include "polyMesh.H"
+#include "processorPolyPatch.H"
+#include "PtrList.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+// The rotation from one orientation to another as a vector
+static vector rotation(const quaternion& from, const quaternion& to)
+{
+    quaternion q(to*conjugate(from));
+    // q and -q are the same rotation: take the short way
+    const scalar sign = q.w() < 0 ? -1 : 1;
+    const scalar sine = mag(q.v());
+    if (sine < SMALL)
+    {
+        return 2*sign*q.v();
+    }
+    return sign*2*Foam::atan2(sine, sign*q.w())/sine*q.v();
+}
+
+
+// R(theta) r - r, by Rodrigues
+static vector turned(const vector& theta, const vector& r)
+{
+    const scalar angle = mag(theta);
+    if (angle < SMALL)
+    {
+        return theta ^ r;
+    }
+    const vector axis(theta/angle);
+    const vector across(axis ^ r);
+    return
+        Foam::sin(angle)*across
+      + 2*sqr(Foam::sin(angle/2))*(axis ^ across);
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsbi::rigidBlendMotion::setWeights
+(
+    const UList<bodySurface>& surfaces, const bodySurface& walls
+)
+{
+    // lighter shares do not matter and are left to the domain
+    constexpr scalar lightest = 1e-5;
+
+    PtrList<surfaceDistance> distances;
+    for (const bodySurface& s : surfaces)
+    {
+        distances.append(new surfaceDistance(s.points(), s.triangles()));
+    }
+    distances.append(new surfaceDistance(walls.points(), walls.triangles()));
+    const scalar touching = 1e-9*walls.bounds().mag();
+
+    scalarField w(distances.size());
+    forAll(reference_, p)
+    {
+        scalar sum = 0;
+        forAll(distances, i)
+        {
+            scalar d = GREAT;
+            label triangle;
+            distances[i].find(reference_[p], ROOTVGREAT, d, triangle);
+            if (d < touching)
+            {
+                w = 0;
+                sum = w[i] = 1;
+                break;
+            }
+            w[i] = Foam::pow(d, -power_);
+            sum += w[i];
+        }
+        domainWeight_[p] = 1;
+        forAll(shares_, b)
+        {
+            if (w[b] > lightest*sum)
+            {
+                shares_[b].append({p, w[b]/sum});
+                domainWeight_[p] -= w[b]/sum;
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsbi::rigidBlendMotion::rigidBlendMotion
+(
+    const polyMesh& mesh,
+    const wordList& bodyPatches,
+    const UList<bodySurface>& surfaces,
+    const UList<placement>& placements,
+    const scalar power
+)
+:
+    reference_(mesh.points()),
+    bodies_(placements),
+    shares_(placements.size()),
+    domainWeight_(mesh.nPoints()),
+    power_(power)
+{
+    setWeights(surfaces, domainBoundary(mesh, bodyPatches));
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::pointField Foam::fsbi::rigidBlendMotion::move
+(
+    const UList<placement>& now, const vector& frameShift
+) const
+{
+    pointField x(reference_ + domainWeight_*frameShift);
+    forAll(shares_, b)
+    {
+        const vector theta
+        (
+            rotation(bodies_[b].orientation, now[b].orientation)
+        );
+        const vector shift(now[b].centre - bodies_[b].centre);
+        for (const share& s : shares_[b])
+        {
+            const vector r(reference_[s.point] - bodies_[b].centre);
+            x[s.point] += turned(s.weight*theta, r) + s.weight*shift;
+        }
+    }
+    return x;
+}
+
+
+Foam::scalar Foam::fsbi::rigidBlendMotion::twist
+(
+    const UList<placement>& now
+) const
+{
+    scalar largest = 0;
+    forAll(bodies_, b)
+    {
+        largest = max
+        (
+            largest,
+            mag(rotation(bodies_[b].orientation, now[b].orientation))
+        );
+    }
+    return largest;
+}
+
+
+Foam::fsbi::bodySurface Foam::fsbi::rigidBlendMotion::domainBoundary
+(
+    const polyMesh& mesh, const wordList& bodyPatches
+)
+{
+    // three corners of every triangle, unmerged: distances need no more
+    List<List<point>> corners(Pstream::nProcs());
+    DynamicList<point> mine;
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (isA<processorPolyPatch>(patch) || bodyPatches.found(patch.name()))
+        {
+            continue;
+        }
+        for (const face& f : patch)
+        {
+            for (label i = 1; i + 1 < f.size(); ++i)
+            {
+                for (const label p : {f[0], f[i], f[i + 1]})
+                {
+                    mine.append(mesh.points()[p]);
+                }
+            }
+        }
+    }
+    corners[Pstream::myProcNo()] = mine;
+    Pstream::gatherList(corners);
+    Pstream::scatterList(corners);
+
+    DynamicList<point> points;
+    for (const List<point>& part : corners)
+    {
+        points.append(part);
+    }
+    List<triFace> triangles(points.size()/3);
+    forAll(triangles, i)
+    {
+        triangles[i] = triFace(3*i, 3*i + 1, 3*i + 2);
+    }
+    return bodySurface(pointField(std::move(points)), std::move(triangles));
+}
