@@ -1,0 +1,7 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reading, checking and drawing the results of fsbiFoam's cases.
+
+history   time series of a run      results   results.csv and its bounds
+plots     curves, convergence       picture   meshes, bodies and fields
+"""
