@@ -75,12 +75,25 @@ class Results:
     def add(self, quantity, value, reference, bound, seconds=math.nan,
             cells=0, procs=1):
         """One quantity; a bound on the value itself has reference 0 and _abs."""
+        return self._row(quantity, value, reference,
+                         error(quantity, value, reference),
+                         bound, seconds, cells, procs)
+
+    def at_least(self, quantity, value, lowest, seconds=math.nan, cells=0,
+                 procs=1):
+        """One-sided, as for orders of convergence: the error is what lacks,
+        relative, and must be zero."""
+        lack = 0 if value >= lowest else abs(value / lowest - 1)
+        return self._row(quantity, value, lowest, lack, 0, seconds, cells, procs)
+
+    def _row(self, quantity, value, reference, error, bound, seconds, cells,
+             procs):
         row = dict(
             case=self.case,
             quantity=quantity,
             value=f"{value:.10g}",
             reference=f"{reference:.10g}",
-            error=f"{error(quantity, value, reference):.4g}",
+            error=f"{error:.4g}",
             bound=f"{bound:.4g}",
             seconds="" if math.isnan(seconds) else f"{seconds:.1f}",
             cells=int(cells),
