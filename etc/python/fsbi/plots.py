@@ -13,11 +13,14 @@
     orders = plots.convergence("order.png", h, {"velocity": errors}, order=2)
 """
 
+import os
+
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from PIL import Image
 
 # Okabe and Ito's colours without the yellow; markers tell the lines apart, too
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
@@ -65,13 +68,10 @@ def save(figure, path):
 
 def _shrink(path, limit=150_000):
     """A palette of 256 colours where the full ones take too much room."""
-    import os
-    from PIL import Image
-
     if os.path.getsize(path) > limit:
-        Image.open(path).convert("RGB").quantize(
-            256, method=Image.Quantize.MAXCOVERAGE
-        ).save(path, optimize=True)
+        full = Image.open(path).convert("RGB")
+        palette = full.quantize(256, method=Image.Quantize.MAXCOVERAGE)
+        full.quantize(palette=palette).save(path, optimize=True)     # dithered
 
 
 def curves(path, computed, theory=(), xlabel="", ylabel="", title="",
