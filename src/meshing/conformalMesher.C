@@ -89,11 +89,12 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
     const UList<bodySurface>& bodies,
     const bodySurface& walls,
     const vector& shift,
-    const sizeField& size,
+    sizeField& size,
     const attempt& settings
 ) const
 {
     meshLists mesh;
+    size.coarsenGaps(settings.coarsening);
     gmshModel model;
     for (const bodySurface& body : bodies)
     {
@@ -211,17 +212,21 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
 {
     const bodySurface walls(walls_.transformed(tensor::I, domainShift));
     checkInput(bodyNames, bodies, walls);
-    const sizeField size(domain_, domainShift, walls, bodies, controls_);
+    sizeField size(domain_, domainShift, walls, bodies, controls_);
 
+    // the repeatable algorithm goes first where it is asked for
     const int Delaunay = 1, HXT = 10;
     const bool preferHXT = controls_.algorithm == "HXT";
     const int n = controls_.optimise;
     const attempt attempts[] =
     {
-        {preferHXT ? HXT : Delaunay, 1, n},
-        {preferHXT ? Delaunay : HXT, 2, n + 1},
-        {Delaunay, 3, n + 3}
+        {preferHXT ? HXT : Delaunay, 1, n, 1},
+        {Delaunay, 2, n + 1, 1.6},
+        {HXT, 3, n + 1, 1},
+        {Delaunay, 4, n + 2, 2.5}
     };
+    remeshControls limits(controls_);
+    limits.maxNonOrthogonality -= 5;
 
     meshLists mesh;
     string failures;
@@ -230,7 +235,7 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
         mesh = meshOnce(bodies, walls, domainShift, size, settings);
         if (mesh.valid())
         {
-            mesh.failure = meshQuality(mesh).complaint(controls_);
+            mesh.failure = meshQuality(mesh).complaint(limits);
         }
         if (mesh.valid())
         {

@@ -13,7 +13,9 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Foam::label Foam::fsbi::meshLists::nCells() const
 {
-    return owner.empty() ? 0 : Foam::max(owner) + 1;
+    // the last cell may own no face
+    const label last = owner.empty() ? -1 : Foam::max(owner);
+    return 1 + (neighbour.empty() ? last : Foam::max(last, Foam::max(neighbour)));
 }
 
 

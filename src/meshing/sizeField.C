@@ -48,6 +48,7 @@ Foam::fsbi::sizeField::sizeField
     growth_(controls.growth),
     cellsPerGap_(controls.cellsPerGap),
     minSize_(controls.minSize),
+    coarsening_(1),
     farSize_(controls.farSize),
     reach_(0)
 {
@@ -103,5 +104,5 @@ Foam::scalar Foam::fsbi::sizeField::operator()(const point& p) const
             h = min(h, sizes_[i][triangle] + growth_*d);
         }
     }
-    return min(h, max(minSize_, (first + second)/cellsPerGap_));
+    return min(h, max(coarsening_*minSize_, (first + second)/cellsPerGap_));
 }

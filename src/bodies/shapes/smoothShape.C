@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "smoothShape.H"
+#include "surfaceRemesher.H"
 #include "edgeHashes.H"
 
 namespace Foam
@@ -174,25 +175,38 @@ Foam::fsbi::bodySurface Foam::fsbi::smoothShape::geodesicSphere(const label n)
 }
 
 
-Foam::fsbi::bodySurface Foam::fsbi::smoothShape::make(const scalar size) const
+Foam::fsbi::bodySurface Foam::fsbi::smoothShape::imageOf
+(
+    const bodySurface& unitSphere
+) const
 {
-    // frequency: 20 n^2 equilateral triangles of that edge cover the area
-    pointField coarse(geodesicSphere(8).points());
-    List<triFace> triangles(geodesicSphere(8).triangles());
-    for (point& p : coarse)
-    {
-        p = image(p);
-    }
-    const scalar area = bodySurface(coarse, triangles).area();
-    const scalar wanted = area/(Foam::sqrt(3.0)/4*sqr(size));
-    const label n = max(1, label(Foam::sqrt(wanted/20) + 0.5));
-
-    const bodySurface unit(geodesicSphere(n));
-    pointField points(unit.points());
+    pointField points(unitSphere.points());
     for (point& p : points)
     {
         p = image(p);
     }
-    bodySurface surface(points, unit.triangles());
-    return surface.scaled(Foam::cbrt(exactVolume()/surface.volume()));
+    return bodySurface(points, unitSphere.triangles());
+}
+
+
+Foam::fsbi::bodySurface Foam::fsbi::smoothShape::make(const scalar size) const
+{
+    // frequency: 20 n^2 equilateral triangles of that edge cover the area
+    const scalar area = imageOf(geodesicSphere(8)).area();
+    const scalar wanted = area/(Foam::sqrt(3.0)/4*sqr(size));
+    const label n = max(1, label(Foam::sqrt(wanted/20) + 0.5));
+
+    bodySurface surface(imageOf(geodesicSphere(n)));
+    if (stretches())
+    {
+        surface = surfaceRemesher
+        (
+            surface, size, [this](const point& p){ return project(p); }
+        ).run();
+    }
+    const scalar exact = exactVolume();
+    return
+        exact > 0
+      ? surface.scaled(Foam::cbrt(exact/surface.volume()))
+      : surface;
 }

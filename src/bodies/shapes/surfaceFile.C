@@ -1,0 +1,62 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "surfaceFile.H"
+#include "addToRunTimeSelectionTable.H"
+#include "triSurface.H"
+#include "OSspecific.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+    defineTypeNameAndDebug(surfaceFile, 0);
+    addToRunTimeSelectionTable(bodyShape, surfaceFile, dictionary);
+}
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsbi::surfaceFile::surfaceFile(const dictionary& dict)
+:
+    bodyShape(dict),
+    file_(entries_.get<fileName>("file"))
+{
+    const scalar scale = entries_.positive("scale", 1);
+    entries_.finish();
+
+    file_.expand();
+    if (!isFile(file_))
+    {
+        FatalIOErrorInFunction(dict)
+            << "There is no surface file '" << file_ << "'"
+            << exit(FatalIOError);
+    }
+    const triSurface read(file_);
+    List<triFace> triangles(read.size());
+    forAll(triangles, i)
+    {
+        const labelledTri& t = read.localFaces()[i];
+        triangles[i] = triFace(t[0], t[1], t[2]);
+    }
+    surface_ = bodySurface
+    (
+        scale*read.localPoints(), std::move(triangles)
+    );
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::fsbi::bodySurface Foam::fsbi::surfaceFile::make(const scalar size) const
+{
+    const scalar given = surface_.meanEdge();
+    if (size > 1.5*given || size < given/1.5)
+    {
+        Info<< "The triangles of " << file_ << " are kept: mean edge " << given
+            << ", not " << size << endl;
+    }
+    return surface_;
+}
