@@ -80,6 +80,7 @@ Foam::fsbi::rigidBody::rigidBody(const word& name, const dictionary& dict)
     readPrescription(constraints, "angularVelocity", angular_);
     constraints.finish();
     entries.finish();
+    start_ = now_.centre;
     older_ = old_ = now_;
 }
 
@@ -295,6 +296,7 @@ void Foam::fsbi::rigidBody::save(dictionary& dict) const
     };
     write("now", now_);
     write("older", older_);
+    dict.set("start", start_);
     dict.set("step", oldStep_);
     dict.set("points", surface_.points());
     dict.set("triangles", surface_.triangles());
@@ -317,6 +319,7 @@ void Foam::fsbi::rigidBody::restore(const dictionary& dict)
     read("now", now_);
     read("older", older_);
     old_ = now_;
+    start_ = dict.get<point>("start");
     oldStep_ = dict.get<scalar>("step");
     surface_ = bodySurface
     (

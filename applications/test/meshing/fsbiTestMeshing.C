@@ -6,13 +6,18 @@ Application
     fsbiTestMeshing
 
 Description
-    Checks of the conformal mesher, mesh motion and distribution.
+    Checks of the conformal mesher, of mesh motion and, run on several
+    processors (mpirun -np 2 fsbiTestMeshing -parallel), of the distribution.
 
 \*---------------------------------------------------------------------------*/
 
+#include "checks.H"
 #include "boxMesh.H"
 #include "bodyShape.H"
 #include "conformalMesher.H"
+#include "meshDistribution.H"
+#include "rigidBlendMotion.H"
+#include "argList.H"
 #include "fvMesh.H"
 #include "IStringStream.H"
 #include "clockTime.H"
@@ -20,23 +25,431 @@ Description
 using namespace Foam;
 using namespace Foam::fsbi;
 
+static dictionary dict(const std::string& entries)
+{
+    return dictionary(IStringStream(entries)());
+}
+
+
+static bodySurface shape(const std::string& entries, const scalar size)
+{
+    return bodyShape::New(dict(entries))->triangulate(size);
+}
+
+
+// A unit sphere over the bottom of a box, and what belongs to it
+struct scene
+{
+    autoPtr<Time> clock;
+    autoPtr<polyMesh> box;
+    wordList names;
+    List<bodySurface> bodies;
+    List<placement> placements;
+
+    explicit scene
+    (
+        const word& sides = "patch",
+        const std::function<point(const point&)>& map = {}
+    )
+    :
+        clock(testClock()),
+        box
+        (
+            boxMesh
+            (
+                clock(), boundBox(point(-4, -4, 0), point(4, 4, 6)),
+                Vector<label>(10, 10, 8), sides, map
+            )
+        )
+    {}
+
+    void add(const bodySurface& surface, const point& centre)
+    {
+        placement where;
+        where.centre = centre;
+        names.append("body" + Foam::name(bodies.size()));
+        bodies.append(surface.transformed(tensor::I, centre));
+        placements.append(where);
+    }
+
+    meshLists generate(const std::string& entries = "") const
+    {
+        clockTime time;
+        meshLists mesh
+        (
+            conformalMesher(box(), dict(entries)).generate(names, bodies, Zero)
+        );
+        const meshQuality q(mesh);
+        Info<< "    " << q.nCells << " cells in " << time.elapsedTime()
+            << " s, non-orthogonality " << q.maxNonOrthogonality << " mean "
+            << q.meanNonOrthogonality << ", skewness " << q.maxSkewness << endl;
+        return mesh;
+    }
+
+    autoPtr<fvMesh> fluid(const meshLists& mesh) const
+    {
+        return mesh.makeMesh
+        (
+            IOobject("fluid", clock->timeName(), clock(), IOobject::NO_READ)
+        );
+    }
+};
+
+
+// Largest deviation of the mesh's body faces from the body's triangles
+static scalar bodyError(const scene& s, const meshLists& mesh)
+{
+    scalar worst = 0;
+    const label nDomain = mesh.patchNames.size() - s.bodies.size();
+    forAll(s.bodies, b)
+    {
+        const bodySurface& body = s.bodies[b];
+        forAll(body.points(), p)
+        {
+            const point& q = mesh.points[mesh.bodyPoints[b][p]];
+            worst = max(worst, mag(q - body.points()[p]));
+        }
+        if (mesh.patchSizes[nDomain + b] != body.triangles().size())
+        {
+            return GREAT;
+        }
+        forAll(body.triangles(), i)
+        {
+            // out of the fluid is into the body
+            const face& f = mesh.faces[mesh.patchStarts[nDomain + b] + i];
+            const triFace& t = body.triangles()[i];
+            const labelList& number = mesh.bodyPoints[b];
+            worst = max
+            (
+                worst,
+                f[0] == number[t[0]] && f[1] == number[t[2]]
+             && f[2] == number[t[1]] ? 0 : GREAT
+            );
+        }
+    }
+    return worst;
+}
+
+
+static void checkMesh(checks& c, const word& name, scene& s, const meshLists& mesh)
+{
+    if (!c.check(name + " is meshed", mesh.valid(), mesh.failure))
+    {
+        return;
+    }
+    c.checkBelow(name + ": surface kept exactly", bodyError(s, mesh), 0);
+
+    autoPtr<fvMesh> fluid(s.fluid(mesh));
+    scalar outside = 0;
+    for (const bodySurface& body : s.bodies)
+    {
+        outside += body.volume();
+    }
+    c.checkClose
+    (
+        name + ": volume is the box less the bodies",
+        gSum(fluid->cellVolumes()), sum(s.box->cellVolumes()) - outside, 1e-10
+    );
+    c.check(name + ": OpenFOAM's topology check", !fluid->checkTopology(false));
+    c.check(name + ": OpenFOAM's geometry check", !fluid->checkGeometry(false));
+    const meshQuality q(fluid());
+    c.checkBelow(name + ": non-orthogonality", q.maxNonOrthogonality, 75);
+    c.checkClose
+    (
+        name + ": lists and fvMesh agree in quality",
+        meshQuality(mesh).maxNonOrthogonality, q.maxNonOrthogonality, 1e-6
+    );
+}
+
+
+static void checkFar(checks& c)
+{
+    scene s;
+    s.add(shape("type sphere; radius 1;", 0.2), point(0.1, 0, 3));
+    const meshLists mesh(s.generate());
+    checkMesh(c, "sphere", s, mesh);
+    c.check
+    (
+        "patch names are kept",
+        mesh.patchNames == wordList({"xMin", "xMax", "walls", "body0"})
+    );
+    autoPtr<fvMesh> fluid(s.fluid(mesh));
+    c.check
+    (
+        "bodies are walls in the group bodies",
+        fluid->boundaryMesh()[3].type() == "wall"
+     && fluid->boundaryMesh()[3].inGroup("bodies")
+    );
+    c.check("cells in the middle of the box", mesh.nCells() > 5000);
+
+    const meshLists again(s.generate());
+    c.check
+    (
+        "the same mesh again",
+        mesh.points == again.points && mesh.faces == again.faces
+     && mesh.owner == again.owner && mesh.neighbour == again.neighbour
+    );
+
+    const meshLists coarse(s.generate("growth 0.5;"));
+    c.check("growth coarsens", coarse.nCells() < mesh.nCells());
+    const meshLists fine(s.generate("farSize 0.4;"));
+    c.check("farSize refines", fine.nCells() > mesh.nCells());
+    checkMesh(c, "HXT", s, s.generate("algorithm HXT;"));
+
+    scene shifted;
+    shifted.add(s.bodies[0], vector(10, 0, 0));
+    const meshLists moved
+    (
+        conformalMesher(s.box(), dict("")).generate
+        (
+            shifted.names, shifted.bodies, vector(10, 0, 0)
+        )
+    );
+    c.check("a shifted domain is meshed", moved.valid(), moved.failure);
+    c.checkClose
+    (
+        "it is shifted", boundBox(moved.points, false).min().x(), 6, 1e-12
+    );
+}
+
+
+static void checkGaps(checks& c)
+{
+    scene wall;
+    wall.add(shape("type sphere; radius 1;", 0.15), point(0, 0, 1.1));
+    const meshLists mesh(wall.generate());
+    checkMesh(c, "gap to the wall", wall, mesh);
+
+    // the wall under the body is as fine as the gap asks for
+    scalar longest = 0;
+    const label start = mesh.patchStarts[2];
+    for (label f = start; f < start + mesh.patchSizes[2]; ++f)
+    {
+        const face& tri = mesh.faces[f];
+        if (mag(tri.centre(mesh.points)) < 0.2)
+        {
+            for (const edge& e : tri.edges())
+            {
+                longest = max(longest, e.mag(mesh.points));
+            }
+        }
+    }
+    c.checkBelow("gap to the wall: the wall is fine", longest, 0.12);
+
+    scene pair;
+    const bodySurface sphere(shape("type sphere; radius 1;", 0.15));
+    pair.add(sphere, point(-1.05, 0, 3));
+    pair.add(sphere, point(1.05, 0, 3));
+    checkMesh(c, "gap between spheres", pair, pair.generate());
+
+    scene coil;
+    coil.add
+    (
+        shape
+        (
+            "type helix; radius 1; pitch 1; filamentRadius 0.2; turns 2;", 0.12
+        ),
+        point(0, 0, 3)
+    );
+    checkMesh(c, "helix", coil, coil.generate());
+}
+
+
+static void checkCurved(checks& c)
+{
+    // the square becomes a disc: patches that bend
+    scene s
+    (
+        "patch",
+        [](const point& p)
+        {
+            const scalar r = max(mag(p.x()), mag(p.y()));
+            const scalar scale = r/(Foam::hypot(p.x(), p.y()) + VSMALL);
+            return point(scale*p.x(), scale*p.y(), p.z());
+        }
+    );
+    s.add(shape("type sphere; radius 1;", 0.25), point(0, 0, 3));
+    const meshLists mesh(s.generate());
+    checkMesh(c, "curved walls", s, mesh);
+    c.check("curved walls: kept", mesh.patchSizes[2] > 0);
+}
+
+
+static void checkMotion(checks& c)
+{
+    scene s;
+    s.add(shape("type sphere; radius 1;", 0.2), point(0.1, 0, 3));
+    const meshLists lists(s.generate());
+    autoPtr<fvMesh> mesh(s.fluid(lists));
+    const rigidBlendMotion motion(mesh(), s.names, s.bodies, s.placements);
+    const scalarField volumes(mesh->cellVolumes());
+
+    c.checkBelow
+    (
+        "no motion moves nothing",
+        max(mag(motion.move(s.placements, Zero) - mesh->points())), 1e-14
+    );
+    List<placement> now(s.placements);
+    now[0].orientation = quaternion(vector(1, 2, 2)/3, 0.4);
+    now[0].centre += vector(0.3, 0.1, -0.2);
+    const pointField points(motion.move(now, Zero));
+    scalar error = 0, wall = 0;
+    forAll(lists.bodyPoints[0], p)
+    {
+        const label pointi = lists.bodyPoints[0][p];
+        const vector r(mesh->points()[pointi] - s.placements[0].centre);
+        error = max(error, mag(points[pointi] - now[0].transform(r)));
+    }
+    for (label patchi = 0; patchi < 3; ++patchi)
+    {
+        for (const label p : mesh->boundaryMesh()[patchi].meshPoints())
+        {
+            wall = max(wall, mag(points[p] - lists.points[p]));
+        }
+    }
+    c.checkBelow("the body moves rigidly", error, 1e-12);
+    c.checkBelow("the walls stay", wall, 1e-14);
+    c.checkClose("the twist is known", motion.twist(now), 0.4, 1e-10);
+
+    mesh->polyMesh::movePoints(points);
+    const meshQuality q(mesh(), volumes);
+    Info<< "    turned by 0.4: non-orthogonality " << q.maxNonOrthogonality
+        << ", volume ratio " << q.minVolumeRatio << endl;
+    c.check("volumes stay positive", q.minVolume > 0);
+    const remeshControls limits(dict(""));
+    c.check("not yet worn out", !q.wornOut(limits, motion.twist(now)));
+    c.check("a large twist wears out", q.wornOut(limits, 0.6));
+
+    mesh->polyMesh::movePoints(motion.move(s.placements, vector(0.1, 0, 0)));
+    c.checkClose
+    (
+        "the frame moves the walls", mesh->bounds().min().x(), -3.9, 1e-12
+    );
+}
+
+
+static void checkErrors(checks& c)
+{
+    const bodySurface sphere(shape("type sphere; radius 1;", 0.3));
+    const auto refused = [&]
+    (
+        const std::string& name, const point& a, const point& b,
+        const std::string& text
+    )
+    {
+        scene s;
+        s.add(sphere, a);
+        s.add(sphere, b);
+        c.checkFatal(name, [&]{ s.generate(); }, text);
+    };
+    const point good(-2, -2, 2);
+    refused("a body outside is refused", point(20, 0, 3), good, "outside");
+    refused("a body in the wall is refused", good, point(1, 1, 0.5), "'body1'");
+    refused("overlapping bodies are refused", good, point(-1, -2, 2), "overlaps");
+
+    scene nested;
+    nested.add(shape("type sphere; radius 2;", 0.5), point(0, 0, 3));
+    nested.add(sphere, point(0, 0, 3));
+    c.checkFatal
+    (
+        "a body inside another is refused", [&]{ nested.generate(); }, "inside"
+    );
+    c.checkFatal
+    (
+        "an unknown keyword is refused",
+        [&]{ conformalMesher(nested.box(), dict("grwth 1;")); }, "grwth"
+    );
+
+    // failure without a fatal error: no mesh is that good
+    scene s;
+    s.add(sphere, good);
+    const meshLists none(s.generate("maxNonOrthogonality 10;"));
+    c.check("an impossible limit returns the failure", !none.valid());
+}
+
+
+static void checkDistribution(checks& c)
+{
+    scene s;
+    s.add(shape("type sphere; radius 1;", 0.25), point(0.1, 0, 3));
+    meshLists whole;
+    labelList ranks;
+    if (Pstream::master())
+    {
+        const bool parallel = Pstream::parRun();
+        Pstream::parRun() = false;
+        whole = s.generate();
+        ranks = meshDistribution::bisect(whole, Pstream::nProcs());
+        Pstream::parRun() = parallel;
+    }
+    const meshDistribution part(whole, ranks);
+    autoPtr<fvMesh> mesh(s.fluid(part.mesh));
+
+    c.check("distributed: topology", !mesh->checkTopology(false));
+    c.check("distributed: geometry", !mesh->checkGeometry(false));
+    c.checkClose
+    (
+        "distributed: volume", gSum(mesh->cellVolumes()),
+        8*8*6 - s.bodies[0].volume(), 1e-10
+    );
+    const label total = returnReduce(mesh->nCells(), sumOp<label>());
+    const label largest = returnReduce(mesh->nCells(), maxOp<label>());
+    c.checkBelow
+    (
+        "distributed: balanced", scalar(largest)*Pstream::nProcs()/total, 1.01
+    );
+
+    // global numbers: the body's triangles are found again
+    const label patchi = mesh->boundaryMesh().findPatchID("body0");
+    const polyPatch& body = mesh->boundaryMesh()[patchi];
+    scalar error = 0;
+    forAll(body, f)
+    {
+        const label triangle =
+            part.faces[body.start() + f] - part.wholePatchStarts[patchi];
+        const point centre
+        (
+            s.bodies[0].triangles()[triangle].centre(s.bodies[0].points())
+        );
+        error = max(error, mag(centre - body.faceCentres()[f]));
+    }
+    c.checkBelow
+    (
+        "distributed: triangles found", returnReduce(error, maxOp<scalar>()),
+        1e-12
+    );
+    c.check
+    (
+        "distributed: every triangle once",
+        returnReduce(body.size(), sumOp<label>())
+     == s.bodies[0].triangles().size()
+    );
+
+    const rigidBlendMotion motion(mesh(), s.names, s.bodies, s.placements);
+    List<placement> now(s.placements);
+    now[0].orientation = quaternion(vector(0, 1, 0), 0.3);
+    mesh->polyMesh::movePoints(motion.move(now, Zero));
+    const meshQuality q(mesh());
+    c.check("distributed: moves", q.minVolume > 0);
+    Info<< "    moved: non-orthogonality " << q.maxNonOrthogonality << endl;
+}
+
+
 int main(int argc, char* argv[])
 {
-    autoPtr<Time> clock(testClock());
-    autoPtr<polyMesh> box(boxMesh(clock(), boundBox(point(-4,-4,-4), point(4,4,4)), Vector<label>(8,8,8)));
-    autoPtr<bodyShape> shape(bodyShape::New(dictionary(IStringStream("type sphere; radius 1; size 0.2;")())));
-    List<bodySurface> bodies(1, shape->triangulate());
-    Info<< bodies[0].triangles().size() << " " << bodies[0].meanEdge() << " " << bodies[0].volume() << nl;
-    clockTime t;
-    conformalMesher mesher(box(), dictionary(IStringStream("algorithm Delaunay;")()));
-    meshLists mesh(mesher.generate({"bead"}, bodies, Zero));
-    Info<< "t " << t.elapsedTime() << " " << mesh.failure << nl;
-    meshQuality q(mesh);
-    Info<< mesh.nCells() << " nonOrtho " << q.maxNonOrthogonality << " " << q.meanNonOrthogonality << " " << q.maxSkewness << " " << q.minVolume << nl;
-    autoPtr<fvMesh> fv(mesh.makeMesh(IOobject("fluid", clock->timeName(), clock())));
-    Info<< fv->boundaryMesh().names() << fv->nCells() << nl;
-    fv->checkMesh(true);
-    meshQuality p(fv());
-    Info<< p.nCells << " nonOrtho " << p.maxNonOrthogonality << " " << p.meanNonOrthogonality << " " << p.maxSkewness << " " << p.minVolume << nl;
-    return 0;
+    argList::noBanner();
+    argList::noCheckProcessorDirectories();
+    argList args(argc, argv, false, false, true);
+
+    checks c;
+    if (!Pstream::parRun())
+    {
+        checkFar(c);
+        checkGaps(c);
+        checkCurved(c);
+        checkMotion(c);
+        checkErrors(c);
+    }
+    checkDistribution(c);
+    return c.finish();
 }

@@ -209,7 +209,8 @@ static void checkMap(checks& c)
 {
     const leukocyteMap map(4, 1, 0.1, 0.4);
     scalar worst = 0, slope = 0;
-    for (const point& p : smoothShape::geodesicSphere(12).points())
+    const bodySurface sphere(smoothShape::geodesicSphere(12));
+    for (const point& p : sphere.points())
     {
         worst = max(worst, mag(map.toSphere(map.fromSphere(4*p)) - 4*p));
         const tensor g(map.gradient(4*p));

@@ -172,15 +172,15 @@ typedef profileFvPatchVectorField<StokesSphere> StokesSphereFvPatchVectorField;
 
 defineTemplateTypeNameAndDebugWithName
 (
-    linearShearFvPatchVectorField, linearShear::name, 0
+    linearShearFvPatchVectorField, Foam::fsbi::linearShear::name, 0
 );
 defineTemplateTypeNameAndDebugWithName
 (
-    PoiseuilleFvPatchVectorField, Poiseuille::name, 0
+    PoiseuilleFvPatchVectorField, Foam::fsbi::Poiseuille::name, 0
 );
 defineTemplateTypeNameAndDebugWithName
 (
-    StokesSphereFvPatchVectorField, StokesSphere::name, 0
+    StokesSphereFvPatchVectorField, Foam::fsbi::StokesSphere::name, 0
 );
 
 addToPatchFieldRunTimeSelection

@@ -1,0 +1,135 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "recorder.H"
+#include "Time.H"
+#include "OSspecific.H"
+
+Foam::fsbi::recorder::recorder(const Time& time, scene& scene)
+:
+    time_(time),
+    scene_(scene),
+    history_
+    (
+        time.globalPath()/"postProcessing"/"history.h5", time.value()
+    )
+{
+    declare();
+    openSeries();
+}
+
+
+void Foam::fsbi::recorder::declare()
+{
+    const wordList xyz({"x", "y", "z"});
+    for (const rigidBody& body : scene_.bodies())
+    {
+        const fileName path("bodies"/body.name());
+        history_.declare(path/"position", xyz, "L");
+        history_.declare(path/"orientation", {"w", "x", "y", "z"}, "quaternion");
+        history_.declare(path/"velocity", xyz, "L/T");
+        history_.declare(path/"angularVelocity", xyz, "rad/T");
+        for (const word source : {"fluid", "applied"})
+        {
+            history_.declare(path/"force"/source, xyz, "M L/T^2");
+            history_.declare(path/"torque"/source, xyz, "M L^2/T^2");
+        }
+    }
+    history_.declare
+    (
+        "cost", {"step", "iterations", "seconds", "cells", "meshes"},
+        "T, -, s, -, -"
+    );
+}
+
+
+void Foam::fsbi::recorder::openSeries()
+{
+    if (!Pstream::master())
+    {
+        return;
+    }
+    const fileName folder
+    (
+        time_.globalPath()/"postProcessing"/"bodies"/time_.timeName()
+    );
+    mkDir(folder);
+    series_.setSize(scene_.bodies().size());
+    forAll(series_, b)
+    {
+        series_.set(b, new OFstream(folder/scene_.bodies()[b].name() + ".dat"));
+        series_[b].precision(10);
+        series_[b]
+            << "# time position(xyz) quaternion(wxyz) velocity(xyz)"
+            << " angularVelocity(xyz) fluidForce(xyz) fluidTorque(xyz)" << nl;
+    }
+}
+
+
+void Foam::fsbi::recorder::append()
+{
+    auto timer = scene_.clocks().measure("output");
+    const scalar t = time_.value();
+    const auto row = [&](const fileName& path, const vector& v)
+    {
+        history_.append(path, t, scalarList({v.x(), v.y(), v.z()}));
+    };
+    forAll(scene_.bodies(), b)
+    {
+        const rigidBody& body = scene_.bodies()[b];
+        const rigidBody::state& s = body.now();
+        const fileName path("bodies"/body.name());
+        const vector& q = s.orientation.v();
+        const sixVector applied(body.applied(t));
+
+        row(path/"position", s.centre);
+        history_.append
+        (
+            path/"orientation", t,
+            scalarList({s.orientation.w(), q.x(), q.y(), q.z()})
+        );
+        row(path/"velocity", linear(s.velocity));
+        row(path/"angularVelocity", angular(s.velocity));
+        row(path/"force"/"fluid", linear(s.load));
+        row(path/"torque"/"fluid", angular(s.load));
+        row(path/"force"/"applied", linear(applied));
+        row(path/"torque"/"applied", angular(applied));
+
+        if (series_.set(b))
+        {
+            OFstream& os = series_[b];
+            os << t;
+            for (const vector& v : {s.centre})
+            {
+                os << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();
+            }
+            os << ' ' << s.orientation.w();
+            for
+            (
+                const vector& v :
+                {
+                    q, linear(s.velocity), angular(s.velocity),
+                    linear(s.load), angular(s.load)
+                }
+            )
+            {
+                os << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();
+            }
+            os << endl;
+        }
+    }
+    history_.append
+    (
+        "cost", t,
+        scalarList
+        ({
+            time_.deltaTValue(), scalar(scene_.report().iterations),
+            scene_.clocks().seconds("solve"),
+            scalar(scene_.fluid().mesh().globalData().nTotalCells()),
+            scalar(scene_.fluid().meshing().generation())
+        })
+    );
+    history_.flush();
+}

@@ -1,0 +1,377 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "fluidMesh.H"
+#include "meshDistribution.H"
+#include "Time.H"
+
+Foam::fsbi::fluidMesh::fluidMesh
+(
+    const Time& time,
+    const PtrList<rigidBody>& bodies,
+    timings& t
+)
+:
+    time_(time),
+    bodies_(bodies),
+    timings_(t),
+    remeshDict_
+    (
+        IOdictionary
+        (
+            IOobject
+            (
+                "remeshDict", time.caseSystem(), time,
+                IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
+            )
+        )
+    ),
+    followed_(-1),
+    direction_(Zero),
+    referenceShift_(Zero),
+    restarted_(false),
+    generation_(0)
+{
+    readFollow();
+    const fileName faces
+    (
+        time.findInstance("fluid"/polyMesh::meshSubDir, "faces", IOobject::READ_IF_PRESENT)
+    );
+    const bool found = returnReduce
+    (
+        isFile(time.path()/faces/"fluid"/polyMesh::meshSubDir/"faces"),
+        andOp<bool>()
+    );
+    if (found)
+    {
+        readMesh();
+        restarted_ = time.value() > 0;
+    }
+    else
+    {
+        auto timer = timings_.measure("meshing");
+        string reason;
+        if (!generate(reason))
+        {
+            FatalErrorInFunction
+                << "No acceptable mesh around the bodies could be made: "
+                << reason << exit(FatalError);
+        }
+    }
+    setReference();
+    createMotion();
+}
+
+
+void Foam::fsbi::fluidMesh::readFollow()
+{
+    if (!remeshDict_.found("follow"))
+    {
+        return;
+    }
+    const checkedDictionary follow(remeshDict_.subDict("follow"));
+    followed_ = bodyNames().find(follow.choice("body", bodyNames()));
+    direction_ = follow.getOrDefault<vector>("direction", vector(1, 0, 0));
+    direction_ /= max(mag(direction_), VSMALL);
+    follow.finish();
+    remeshDict_.remove("follow");
+}
+
+
+void Foam::fsbi::fluidMesh::readMesh()
+{
+    mesh_.reset
+    (
+        new fvMesh
+        (
+            IOobject
+            (
+                "fluid", time_.timeName(), time_, IOobject::MUST_READ
+            )
+        )
+    );
+    for (const word& name : bodyNames())
+    {
+        if (mesh().boundaryMesh().findPatchID(name) < 0)
+        {
+            FatalErrorInFunction
+                << "The mesh of region fluid has no patch for body '" << name
+                << "'; its patches are "
+                << flatOutput(mesh().boundaryMesh().names())
+                << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::fsbi::fluidMesh::readDomain()
+{
+    if (mesher_ || !Pstream::master())
+    {
+        return;
+    }
+    const bool parallel = Pstream::parRun();
+    Pstream::parRun() = false;
+    domainTime_.reset
+    (
+        new Time
+        (
+            Time::controlDictName, time_.rootPath(), time_.globalCaseName(),
+            "system", "constant", false, false
+        )
+    );
+    const fileName points
+    (
+        domainTime_->constantPath()/polyMesh::meshSubDir/"points"
+    );
+    if (!isFile(points) && !isFile(points + ".gz"))
+    {
+        FatalErrorInFunction
+            << "There is no domain to put the bodies in: run blockMesh first ("
+            << points << " is missing)" << exit(FatalError);
+    }
+    domain_.reset
+    (
+        new polyMesh
+        (
+            IOobject
+            (
+                polyMesh::defaultRegion, domainTime_->constant(),
+                domainTime_(), IOobject::MUST_READ
+            )
+        )
+    );
+    mesher_.reset(new conformalMesher(domain_(), remeshDict_));
+    Pstream::parRun() = parallel;
+}
+
+
+bool Foam::fsbi::fluidMesh::generate(string& reason)
+{
+    readDomain();
+    meshLists whole;
+    labelList rank;
+    if (Pstream::master())
+    {
+        List<bodySurface> surfaces(bodies_.size());
+        forAll(bodies_, b)
+        {
+            surfaces[b] = bodies_[b].placedSurface();
+        }
+        whole = mesher_->generate(bodyNames(), surfaces, shift());
+        reason = whole.failure;
+        if (whole.valid())
+        {
+            rank = meshDistribution::bisect(whole, Pstream::nProcs());
+        }
+    }
+    Pstream::scatter(reason);
+    if (!reason.empty())
+    {
+        return false;
+    }
+    mesh_.clear();
+    const meshDistribution part(whole, rank);
+    mesh_ = part.mesh.makeMesh
+    (
+        IOobject("fluid", time_.timeName(), time_, IOobject::NO_READ)
+    );
+    ++generation_;
+    return true;
+}
+
+
+void Foam::fsbi::fluidMesh::setReference()
+{
+    referencePoints_ = mesh().points();
+    referencePlacements_ = placements();
+    referenceShift_ = shift();
+}
+
+
+void Foam::fsbi::fluidMesh::createMotion()
+{
+    List<bodySurface> surfaces(bodies_.size());
+    forAll(bodies_, b)
+    {
+        surfaces[b] = bodies_[b].surface().transformed
+        (
+            referencePlacements_[b].orientation.R(),
+            referencePlacements_[b].centre
+        );
+    }
+    referenceVolumes_ = mesh().cellVolumes();
+    motion_.reset
+    (
+        new rigidBlendMotion
+        (
+            mesh(), bodyNames(), surfaces, referencePlacements_
+        )
+    );
+    const bodySurface walls
+    (
+        rigidBlendMotion::domainBoundary(mesh(), bodyNames())
+    );
+    walls_.reset(new surfaceDistance(walls.points(), walls.triangles()));
+}
+
+
+Foam::scalar Foam::fsbi::fluidMesh::smallestGap() const
+{
+    const vector moved(shift() - referenceShift_);
+    scalar gap = GREAT;
+    const auto approach =
+        [&](const surfaceDistance& surface, const pointField& x, const vector& by)
+        {
+            label triangle;
+            for (const point& p : x)
+            {
+                scalar distance;
+                if (surface.find(p - by, gap, distance, triangle))
+                {
+                    gap = min(gap, distance);
+                }
+            }
+        };
+    forAll(bodies_, b)
+    {
+        const bodySurface surface(bodies_[b].placedSurface());
+        approach(walls_(), surface.points(), moved);
+        if (bodies_.size() > 1)
+        {
+            const surfaceDistance tree(surface.points(), surface.triangles());
+            for (label other = 0; other < b; ++other)
+            {
+                approach
+                (
+                    tree, bodies_[other].placedSurface().points(), Zero
+                );
+            }
+        }
+    }
+    return gap;
+}
+
+
+Foam::wordList Foam::fsbi::fluidMesh::bodyNames() const
+{
+    wordList names(bodies_.size());
+    forAll(bodies_, b)
+    {
+        names[b] = bodies_[b].name();
+    }
+    return names;
+}
+
+
+Foam::List<Foam::fsbi::placement> Foam::fsbi::fluidMesh::placements() const
+{
+    List<placement> result(bodies_.size());
+    forAll(bodies_, b)
+    {
+        result[b].centre = bodies_[b].now().centre;
+        result[b].orientation = bodies_[b].now().orientation;
+    }
+    return result;
+}
+
+
+Foam::vector Foam::fsbi::fluidMesh::shift() const
+{
+    if (followed_ < 0)
+    {
+        return Zero;
+    }
+    const rigidBody& body = bodies_[followed_];
+    return direction_*(direction_ & (body.now().centre - body.start()));
+}
+
+
+bool Foam::fsbi::fluidMesh::isBody(const word& patchName) const
+{
+    return bodyNames().found(patchName);
+}
+
+
+Foam::label Foam::fsbi::fluidMesh::bodyPatch(const label bodyi) const
+{
+    return mesh().boundaryMesh().findPatchID(bodies_[bodyi].name());
+}
+
+
+Foam::fsbi::fluidMesh::outcome Foam::fsbi::fluidMesh::follow
+(
+    string& reason,
+    const std::function<void()>& release
+)
+{
+    auto timer = timings_.measure("meshing");
+    mesh_->movePoints(motion_->move(placements(), shift() - referenceShift_));
+    mesh_->moving(false);
+
+    const remeshControls controls(remeshDict_);
+    const string worn
+    (
+        meshQuality(mesh(), referenceVolumes_).complaint
+        (
+            controls, motion_->twist(placements())
+        )
+    );
+    if (worn.empty())
+    {
+        return outcome::moved;
+    }
+    Info<< "Remeshing: " << worn.c_str() << endl;
+    release();
+    if (!generate(reason))
+    {
+        return outcome::failed;
+    }
+    setReference();
+    createMotion();
+    return outcome::remeshed;
+}
+
+
+void Foam::fsbi::fluidMesh::save(dictionary& state) const
+{
+    List<vector> centres(bodies_.size());
+    List<quaternion> orientations(bodies_.size());
+    forAll(bodies_, b)
+    {
+        centres[b] = referencePlacements_[b].centre;
+        orientations[b] = referencePlacements_[b].orientation;
+    }
+    state.set("referenceCentres", centres);
+    state.set("referenceOrientations", orientations);
+    state.set("referenceShift", referenceShift_);
+    state.set("generation", generation_);
+}
+
+
+void Foam::fsbi::fluidMesh::restore
+(
+    const dictionary& state,
+    const pointField& referencePoints
+)
+{
+    const auto centres = state.get<List<vector>>("referenceCentres");
+    const auto orientations =
+        state.get<List<quaternion>>("referenceOrientations");
+    forAll(bodies_, b)
+    {
+        referencePlacements_[b].centre = centres[b];
+        referencePlacements_[b].orientation = orientations[b];
+    }
+    referenceShift_ = state.get<vector>("referenceShift");
+    generation_ = state.get<label>("generation");
+    referencePoints_ = referencePoints;
+
+    const pointField now(mesh().points());
+    mesh_->movePoints(referencePoints_);
+    createMotion();
+    mesh_->movePoints(now);
+    mesh_->moving(false);
+}

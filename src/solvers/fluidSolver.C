@@ -1,0 +1,22 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "coupledSystem.H"
+#include "checkedDictionary.H"
+
+Foam::autoPtr<Foam::fsbi::fluidSolver> Foam::fsbi::fluidSolver::New
+(
+    const fvMesh& mesh,
+    const stokesOperator& stokes,
+    const dictionary& dict,
+    const scalar length
+)
+{
+    const word method
+    (
+        checkedDictionary(dict).choice("method", {"coupled"}, "coupled")
+    );
+    return autoPtr<fluidSolver>(new coupledSystem(mesh, stokes, dict, length));
+}
