@@ -8,7 +8,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshAssembly.H"
 #include "sizeField.H"
 #include "triangleCrossings.H"
-#include "cyclicPolyPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -107,6 +106,13 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
     else
     {
         model.addOutline(domain_, outline_, shift);
+        cyclics_.forPieces
+        (
+            [&](const label piece, const label copy, const vector& translation)
+            {
+                model.addCopy(piece, copy, translation);
+            }
+        );
     }
 
     List<FixedList<label, 4>> tetrahedra;
@@ -157,6 +163,7 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
     (
         mesh, std::move(tetrahedra), boundary, nDomain + bodies.size()
     );
+    cyclics_.order(mesh);
     return mesh;
 }
 
@@ -197,6 +204,7 @@ Foam::fsbi::conformalMesher::conformalMesher
     domain_(domain),
     controls_(remeshDict),
     outline_(domain),
+    cyclics_(domain, outline_),
     walls_(outline_.triangulation(wallPatches_))
 {}
 
@@ -212,7 +220,10 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
 {
     const bodySurface walls(walls_.transformed(tensor::I, domainShift));
     checkInput(bodyNames, bodies, walls);
-    sizeField size(domain_, domainShift, walls, bodies, controls_);
+    sizeField size
+    (
+        domain_, domainShift, walls, bodies, cyclics_.translations(), controls_
+    );
 
     // the repeatable algorithm goes first where it is asked for
     const int Delaunay = 1, HXT = 10;

@@ -265,9 +265,17 @@ Foam::fsbi::bodySurface Foam::fsbi::domainOutline::triangulation
         const label patchi =
             mesh_.boundaryMesh().whichPatch(facei + mesh_.nInternalFaces());
         const face& f = boundary.localFaces()[facei];
-        for (label i = 1; i + 1 < f.size(); ++i)
+        // a quadrilateral along its shorter diagonal
+        const pointField& p = boundary.localPoints();
+        const label n = f.size();
+        const label first =
+            n == 4 && mag(p[f[1]] - p[f[3]]) < mag(p[f[0]] - p[f[2]]) ? 1 : 0;
+        for (label i = 1; i + 1 < n; ++i)
         {
-            triangles.append(triFace(f[0], f[i], f[i + 1]));
+            triangles.append
+            (
+                triFace(f[first], f[(first + i) % n], f[(first + i + 1) % n])
+            );
             patchOf.append(patchi);
         }
     }

@@ -165,6 +165,15 @@ Foam::string Foam::fsbi::gmshModel::generate
         }
         gmsh::model::geo::addVolume(shells);
         gmsh::model::geo::synchronize();
+        for (const copy& c : copies_)
+        {
+            const vector& t = c.translation;
+            gmsh::model::mesh::setPeriodic
+            (
+                2, {c.tag}, {c.of},
+                {1, 0, 0, t.x(), 0, 1, 0, t.y(), 0, 0, 1, t.z(), 0, 0, 0, 1}
+            );
+        }
         gmsh::model::mesh::setSizeCallback
         (
             [&size](int, int, double x, double y, double z)

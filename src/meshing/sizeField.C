@@ -34,6 +34,29 @@ Foam::scalar Foam::fsbi::sizeField::farSize(const point& p) const
 }
 
 
+Foam::scalar Foam::fsbi::sizeField::at(const point& p) const
+{
+    scalar h = farSize(p);
+    scalar first = reach_, second = reach_;
+    forAll(surfaces_, i)
+    {
+        scalar d;
+        label triangle;
+        if (!surfaces_[i].find(p, reach_, d, triangle))
+        {
+            continue;
+        }
+        second = min(second, max(first, d));
+        first = min(first, d);
+        if (i < surfaces_.size() - 1)
+        {
+            h = min(h, sizes_[i][triangle] + growth_*d);
+        }
+    }
+    return min(h, max(coarsening_*minSize_, (first + second)/cellsPerGap_));
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsbi::sizeField::sizeField
@@ -42,6 +65,7 @@ Foam::fsbi::sizeField::sizeField
     const vector& shift,
     const bodySurface& boundary,
     const UList<bodySurface>& bodies,
+    const UList<vector>& images,
     const remeshControls& controls
 )
 :
@@ -50,7 +74,8 @@ Foam::fsbi::sizeField::sizeField
     minSize_(controls.minSize),
     coarsening_(1),
     farSize_(controls.farSize),
-    reach_(0)
+    reach_(0),
+    images_(images)
 {
     scalar bodySize = GREAT;
     for (const bodySurface& body : bodies)
@@ -87,22 +112,10 @@ Foam::fsbi::sizeField::sizeField
 
 Foam::scalar Foam::fsbi::sizeField::operator()(const point& p) const
 {
-    scalar h = farSize(p);
-    scalar first = reach_, second = reach_;
-    forAll(surfaces_, i)
+    scalar h = at(p);
+    for (const vector& image : images_)
     {
-        scalar d;
-        label triangle;
-        if (!surfaces_[i].find(p, reach_, d, triangle))
-        {
-            continue;
-        }
-        second = min(second, max(first, d));
-        first = min(first, d);
-        if (i < surfaces_.size() - 1)
-        {
-            h = min(h, sizes_[i][triangle] + growth_*d);
-        }
+        h = min(h, at(p + image));
     }
-    return min(h, max(coarsening_*minSize_, (first + second)/cellsPerGap_));
+    return h;
 }

@@ -257,21 +257,56 @@ static void checkGaps(checks& c)
 
 static void checkCurved(checks& c)
 {
-    // the square becomes a disc: patches that bend
     scene s
     (
         "patch",
         [](const point& p)
         {
-            const scalar r = max(mag(p.x()), mag(p.y()));
-            const scalar scale = r/(Foam::hypot(p.x(), p.y()) + VSMALL);
-            return point(scale*p.x(), scale*p.y(), p.z());
+            return point(p.x(), p.y(), p.z() + 0.02*sqr(p.x()));
         }
     );
     s.add(shape("type sphere; radius 1;", 0.25), point(0, 0, 3));
     const meshLists mesh(s.generate());
     checkMesh(c, "curved walls", s, mesh);
-    c.check("curved walls: kept", mesh.patchSizes[2] > 0);
+    c.check
+    (
+        "curved walls: the given faces are kept",
+        mesh.valid() && mesh.patchSizes[2] == 4*(10*8 + 10*10)
+    );
+}
+
+
+static void checkCyclic(checks& c)
+{
+    scene s("cyclic");
+    s.add(shape("type sphere; radius 1;", 0.25), point(2.6, 0.5, 3));
+    const meshLists mesh(s.generate());
+    checkMesh(c, "cyclic", s, mesh);
+    autoPtr<fvMesh> fluid(s.fluid(mesh));
+    const polyPatch& one = fluid->boundaryMesh()[0];
+    const polyPatch& other = fluid->boundaryMesh()[1];
+    scalar error = 0;
+    forAll(one, f)
+    {
+        error = max
+        (
+            error,
+            mag
+            (
+                other.faceCentres()[f] - one.faceCentres()[f] - vector(8, 0, 0)
+            )
+        );
+        error = max
+        (
+            error,
+            mag
+            (
+                fluid->points()[other[f][0]] - fluid->points()[one[f][0]]
+              - vector(8, 0, 0)
+            )
+        );
+    }
+    c.checkBelow("cyclic: faces match", error, 1e-8);
 }
 
 
@@ -447,6 +482,7 @@ int main(int argc, char* argv[])
         checkFar(c);
         checkGaps(c);
         checkCurved(c);
+        checkCyclic(c);
         checkMotion(c);
         checkErrors(c);
     }

@@ -1,0 +1,216 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cyclicPairs.H"
+#include "SubField.H"
+#include "cyclicPolyPatch.H"
+#include "matchPoints.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+static point centre(const polyPatch& patch)
+{
+    point sum(Zero);
+    scalar area = 0;
+    forAll(patch, f)
+    {
+        sum += mag(patch.faceAreas()[f])*patch.faceCentres()[f];
+        area += mag(patch.faceAreas()[f]);
+    }
+    return sum/area;
+}
+
+
+// Mean of the corners of a piece: tells the copies of pieces apart
+static point middle
+(
+    const polyMesh& domain, const domainOutline& outline, const label piece
+)
+{
+    point sum(Zero);
+    label n = 0;
+    for (const DynamicList<label>& loop : outline.loops(piece))
+    {
+        for (const label line : loop)
+        {
+            const labelPair& ends = outline.lines()[mag(line) - 1];
+            sum += domain.points()[outline.corners()[ends.first()]];
+            sum += domain.points()[outline.corners()[ends.second()]];
+            n += 2;
+        }
+    }
+    return sum/n;
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsbi::cyclicPairs::matchPieces
+(
+    const polyMesh& domain, const domainOutline& outline, pair& p
+) const
+{
+    const scalar tolerance = 1e-6*domain.bounds().mag();
+    for (label i = 0; i < outline.nPieces(); ++i)
+    {
+        if (outline.patch(i) != p.patch)
+        {
+            continue;
+        }
+        const point copy(middle(domain, outline, i) + p.translation);
+        for (label j = 0; j < outline.nPieces(); ++j)
+        {
+            if
+            (
+                outline.patch(j) == p.neighbour
+             && mag(middle(domain, outline, j) - copy) < tolerance
+            )
+            {
+                p.pieces.append(i);
+                p.neighbourPieces.append(j);
+            }
+        }
+    }
+    label wanted = 0;
+    for (label i = 0; i < outline.nPieces(); ++i)
+    {
+        wanted += outline.patch(i) == p.patch;
+    }
+    if (p.pieces.size() != wanted)
+    {
+        FatalErrorInFunction
+            << "Cyclic patch '" << domain.boundaryMesh()[p.neighbour].name()
+            << "' is no translated copy of '"
+            << domain.boundaryMesh()[p.patch].name() << "'"
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::fsbi::cyclicPairs::order(const pair& p, meshLists& mesh)
+{
+    const label n = mesh.patchSizes[p.patch];
+    const label start = mesh.patchStarts[p.patch];
+    const label copyStart = mesh.patchStarts[p.neighbour];
+    if (n != mesh.patchSizes[p.neighbour])
+    {
+        mesh.failure = "cyclic patches were meshed differently";
+        return;
+    }
+    pointField wanted(n), given(n);
+    for (label i = 0; i < n; ++i)
+    {
+        wanted[i] =
+            mesh.faces[start + i].centre(mesh.points) + p.translation;
+        given[i] = mesh.faces[copyStart + i].centre(mesh.points);
+    }
+    const scalarField tolerance
+    (
+        n, 1e-6*boundBox(mesh.points, false).mag()
+    );
+    labelList from;
+    if (!matchPoints(wanted, given, tolerance, false, from))
+    {
+        mesh.failure = "cyclic patches were meshed differently";
+        return;
+    }
+
+    const faceList faces
+    (
+        SubList<face>(mesh.faces, n, copyStart)
+    );
+    const labelList owner(SubList<label>(mesh.owner, n, copyStart));
+    for (label i = 0; i < n; ++i)
+    {
+        // the first points are opposite each other, the sense is reversed
+        const face& f = faces[from[i]];
+        const point anchor
+        (
+            mesh.points[mesh.faces[start + i][0]] + p.translation
+        );
+        label nearest = 0;
+        forAll(f, j)
+        {
+            if
+            (
+                mag(mesh.points[f[j]] - anchor)
+              < mag(mesh.points[f[nearest]] - anchor)
+            )
+            {
+                nearest = j;
+            }
+        }
+        face& g = mesh.faces[copyStart + i];
+        forAll(f, j)
+        {
+            g[j] = f[(nearest + j) % f.size()];
+        }
+        mesh.owner[copyStart + i] = owner[from[i]];
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsbi::cyclicPairs::cyclicPairs
+(
+    const polyMesh& domain, const domainOutline& outline
+)
+{
+    for (const polyPatch& patch : domain.boundaryMesh())
+    {
+        const cyclicPolyPatch* half = isA<cyclicPolyPatch>(patch);
+        if (!half || !half->owner())
+        {
+            continue;
+        }
+        if (outline.curved())
+        {
+            FatalErrorInFunction
+                << "Cyclic patch '" << patch.name()
+                << "' needs a domain whose patches are all plane"
+                << exit(FatalError);
+        }
+        pair p;
+        p.patch = patch.index();
+        p.neighbour = half->neighbPatchID();
+        p.translation =
+            centre(domain.boundaryMesh()[p.neighbour]) - centre(patch);
+        matchPieces(domain, outline, p);
+        pairs_.append(p);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::List<Foam::vector> Foam::fsbi::cyclicPairs::translations() const
+{
+    DynamicList<vector> result;
+    for (const pair& p : pairs_)
+    {
+        result.append(p.translation);
+        result.append(-p.translation);
+    }
+    return List<vector>(std::move(result));
+}
+
+
+void Foam::fsbi::cyclicPairs::order(meshLists& mesh) const
+{
+    for (const pair& p : pairs_)
+    {
+        if (mesh.valid())
+        {
+            order(p, mesh);
+        }
+    }
+}
