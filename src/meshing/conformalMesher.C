@@ -9,6 +9,31 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "sizeField.H"
 #include "triangleCrossings.H"
 
+namespace Foam
+{
+namespace fsbi
+{
+
+// The master meshes alone: OpenFOAM must not wait for the others meanwhile
+struct serialScope
+{
+    const bool parallel = Pstream::parRun();
+
+    serialScope()
+    {
+        Pstream::parRun() = false;
+    }
+
+    ~serialScope()
+    {
+        Pstream::parRun() = parallel;
+    }
+};
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsbi::conformalMesher::checkInput
@@ -94,7 +119,7 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
 {
     meshLists mesh;
     size.coarsenGaps(settings.coarsening);
-    gmshModel model;
+    gmshModel model(walls.bounds().mag());
     for (const bodySurface& body : bodies)
     {
         model.addSurface(body);
@@ -220,6 +245,7 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
 {
     const bodySurface walls(walls_.transformed(tensor::I, domainShift));
     checkInput(bodyNames, bodies, walls);
+    const serialScope serial;
     sizeField size
     (
         domain_, domainShift, walls, bodies, cyclics_.translations(), controls_

@@ -6,6 +6,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "gmshModel.H"
 #include "sizeField.H"
 
+#include <algorithm>
+#include <cmath>
 #include <gmsh.h>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -59,7 +61,7 @@ Foam::pointField Foam::fsbi::gmshModel::readPoints()
     forAll(points, p)
     {
         const double* x = &coordinates[3*order[p].second];
-        points[p] = point(x[0], x[1], x[2]);
+        points[p] = point(x[0], x[1], x[2])/scale_;
         index_[order[p].first] = p;
     }
     return points;
@@ -68,8 +70,9 @@ Foam::pointField Foam::fsbi::gmshModel::readPoints()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsbi::gmshModel::gmshModel()
+Foam::fsbi::gmshModel::gmshModel(const scalar diameter)
 :
+    scale_(std::ldexp(1.0, 4 - std::ilogb(diameter))),
     nGivenPoints_(0)
 {}
 
@@ -81,8 +84,9 @@ void Foam::fsbi::gmshModel::addSurface(const bodySurface& surface)
     const int tag = gmsh::model::addDiscreteEntity(2, 100001 + given_.size());
     std::vector<std::size_t> nodes, elements;
     std::vector<double> coordinates;
-    for (const point& p : surface.points())
+    for (const point& x : surface.points())
     {
+        const point p(scale_*x);
         nodes.push_back(nGivenPoints_ + nodes.size() + 1);
         coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
     }
@@ -108,7 +112,7 @@ void Foam::fsbi::gmshModel::addOutline
     std::vector<int> corners, lines;
     for (const label pointi : outline.corners())
     {
-        const point p(domain.points()[pointi] + shift);
+        const point p(scale_*(domain.points()[pointi] + shift));
         corners.push_back(gmsh::model::geo::addPoint(p.x(), p.y(), p.z()));
     }
     for (const labelPair& line : outline.lines())
@@ -167,7 +171,7 @@ Foam::string Foam::fsbi::gmshModel::generate
         gmsh::model::geo::synchronize();
         for (const copy& c : copies_)
         {
-            const vector& t = c.translation;
+            const vector t(scale_*c.translation);
             gmsh::model::mesh::setPeriodic
             (
                 2, {c.tag}, {c.of},
@@ -176,9 +180,9 @@ Foam::string Foam::fsbi::gmshModel::generate
         }
         gmsh::model::mesh::setSizeCallback
         (
-            [&size](int, int, double x, double y, double z)
+            [&](int, int, double x, double y, double z)
             {
-                return size(point(x, y, z));
+                return scale_*size(point(x, y, z)/scale_);
             }
         );
         gmsh::model::mesh::generate(3);

@@ -63,6 +63,12 @@ struct scene
         )
     {}
 
+    //- In other units
+    explicit scene(const scalar scale)
+    :
+        scene("patch", [scale](const point& p) { return scale*p; })
+    {}
+
     void add(const bodySurface& surface, const point& centre)
     {
         placement where;
@@ -210,6 +216,19 @@ static void checkFar(checks& c)
     (
         "it is shifted", boundBox(moved.points, false).min().x(), 6, 1e-12
     );
+}
+
+
+static void checkUnits(checks& c)
+{
+    scene s(1e-6);
+    s.add(shape("type sphere; radius 1e-6;", 0.2e-6), 1e-6*point(0.1, 0, 3));
+    const meshLists mesh(s.generate());
+    checkMesh(c, "micrometres in metres", s, mesh);
+
+    scene none;
+    const meshLists empty(none.generate());
+    checkMesh(c, "no bodies", none, empty);
 }
 
 
@@ -480,6 +499,7 @@ int main(int argc, char* argv[])
     if (!Pstream::parRun())
     {
         checkFar(c);
+        checkUnits(c);
         checkGaps(c);
         checkCurved(c);
         checkCyclic(c);
