@@ -50,47 +50,68 @@ static vector turned(const vector& theta, const vector& r)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::fsbi::rigidBlendMotion::weigh
+(
+    const PtrList<surfaceDistance>& surfaces,
+    const point& p, const scalar touching, scalarField& w
+) const
+{
+    constexpr scalar furthest = 10;
+
+    // bounding boxes tell which surface is probably nearest
+    scalarField d(surfaces.size(), GREAT);
+    forAll(d, i)
+    {
+        w[i] = surfaces[i].atLeast(p);
+    }
+    const label guess = findMin(w);
+    label triangle;
+    surfaces[guess].find(p, ROOTVGREAT, d[guess], triangle);
+    scalar nearest = d[guess];
+    forAll(d, i)
+    {
+        if (i != guess)
+        {
+            surfaces[i].find(p, furthest*nearest + touching, d[i], triangle);
+            nearest = min(nearest, d[i]);
+        }
+    }
+
+    // relative to the nearest: no overflow however near it is
+    forAll(w, i)
+    {
+        w[i] =
+            nearest < touching
+          ? (d[i] == nearest ? 1 : 0)
+          : max(Foam::pow(nearest/d[i], power_) - Foam::pow(furthest, -power_), 0);
+    }
+    w /= sum(w);
+}
+
+
 void Foam::fsbi::rigidBlendMotion::setWeights
 (
     const UList<bodySurface>& surfaces, const bodySurface& walls
 )
 {
-    // lighter shares do not matter and are left to the domain
-    constexpr scalar lightest = 1e-5;
-
     PtrList<surfaceDistance> distances;
     for (const bodySurface& s : surfaces)
     {
         distances.append(new surfaceDistance(s.points(), s.triangles()));
     }
     distances.append(new surfaceDistance(walls.points(), walls.triangles()));
-    const scalar touching = 1e-9*walls.bounds().mag();
 
+    const scalar touching = 1e-9*walls.bounds().mag();
     scalarField w(distances.size());
     forAll(reference_, p)
     {
-        scalar sum = 0;
-        forAll(distances, i)
-        {
-            scalar d = GREAT;
-            label triangle;
-            distances[i].find(reference_[p], ROOTVGREAT, d, triangle);
-            if (d < touching)
-            {
-                w = 0;
-                sum = w[i] = 1;
-                break;
-            }
-            w[i] = Foam::pow(d, -power_);
-            sum += w[i];
-        }
-        domainWeight_[p] = 1;
+        weigh(distances, reference_[p], touching, w);
+        domainWeight_[p] = w.last();
         forAll(shares_, b)
         {
-            if (w[b] > lightest*sum)
+            if (w[b] > 0)
             {
-                shares_[b].append({p, w[b]/sum});
-                domainWeight_[p] -= w[b]/sum;
+                shares_[b].append({p, w[b]});
             }
         }
     }
@@ -110,9 +131,9 @@ Foam::fsbi::rigidBlendMotion::rigidBlendMotion
 :
     reference_(mesh.points()),
     bodies_(placements),
+    power_(power),
     shares_(placements.size()),
-    domainWeight_(mesh.nPoints()),
-    power_(power)
+    domainWeight_(mesh.nPoints())
 {
     setWeights(surfaces, domainBoundary(mesh, bodyPatches));
 }

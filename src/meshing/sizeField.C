@@ -37,20 +37,40 @@ Foam::scalar Foam::fsbi::sizeField::farSize(const point& p) const
 Foam::scalar Foam::fsbi::sizeField::at(const point& p) const
 {
     scalar h = farSize(p);
-    scalar first = reach_, second = reach_;
-    forAll(surfaces_, i)
+    scalar first = reach(h), second = first;
+    const auto visit = [&](const label i)
     {
         scalar d;
         label triangle;
-        if (!surfaces_[i].find(p, reach_, d, triangle))
+        if (surfaces_[i].find(p, reach(h), d, triangle))
         {
-            continue;
+            second = min(second, max(first, d));
+            first = min(first, d);
+            if (i < surfaces_.size() - 1)
+            {
+                h = min(h, sizes_[i][triangle] + growth_*d);
+            }
         }
-        second = min(second, max(first, d));
-        first = min(first, d);
-        if (i < surfaces_.size() - 1)
+    };
+
+    // the nearest goes first: what it leaves of the reach spares the others
+    label nearest = 0;
+    scalar bound = GREAT;
+    forAll(surfaces_, i)
+    {
+        const scalar d = surfaces_[i].atLeast(p);
+        if (d < bound)
         {
-            h = min(h, sizes_[i][triangle] + growth_*d);
+            bound = d;
+            nearest = i;
+        }
+    }
+    visit(nearest);
+    forAll(surfaces_, i)
+    {
+        if (i != nearest)
+        {
+            visit(i);
         }
     }
     return min(h, max(coarsening_*minSize_, (first + second)/cellsPerGap_));
@@ -74,7 +94,7 @@ Foam::fsbi::sizeField::sizeField
     minSize_(controls.minSize),
     coarsening_(1),
     farSize_(controls.farSize),
-    reach_(0),
+    smallest_(GREAT),
     images_(images)
 {
     scalar bodySize = GREAT;
@@ -82,6 +102,7 @@ Foam::fsbi::sizeField::sizeField
     {
         addSurface(body);
         bodySize = min(bodySize, body.meanEdge());
+        smallest_ = min(smallest_, min(sizes_.last()));
     }
     addSurface(boundary);
     if (minSize_ <= 0 && bodies.size())
@@ -89,12 +110,10 @@ Foam::fsbi::sizeField::sizeField
         minSize_ = 0.25*bodySize;
     }
 
-    scalar largest = farSize_;
     if (farSize_ <= 0)
     {
         cellCentres_ = domain.cellCentres() + shift;
         cellSizes_ = Foam::cbrt(domain.cellVolumes());
-        largest = max(cellSizes_);
         cells_.reset
         (
             new indexedOctree<treeDataPoint>
@@ -104,7 +123,6 @@ Foam::fsbi::sizeField::sizeField
             )
         );
     }
-    reach_ = max(largest/growth_, cellsPerGap_*largest);
 }
 
 
