@@ -107,7 +107,7 @@ Foam::fsbi::sizeField::sizeField
     addSurface(boundary);
     if (minSize_ <= 0 && bodies.size())
     {
-        minSize_ = 0.25*bodySize;
+        minSize_ = 0.4*bodySize;
     }
 
     if (farSize_ <= 0)
