@@ -8,6 +8,85 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "unitConversion.H"
 #include "Map.H"
 
+namespace Foam
+{
+namespace fsbi
+{
+
+// The edges of the boundary between different pieces
+struct outlineEdges
+{
+    const primitivePatch& boundary;
+    const labelList& facePiece;
+
+    //- At every point the edges that meet there
+    List<DynamicList<label>> meeting;
+
+    outlineEdges(const primitivePatch& patch, const labelList& pieces)
+    :
+        boundary(patch),
+        facePiece(pieces),
+        meeting(patch.nPoints())
+    {
+        forAll(patch.edges(), e)
+        {
+            const labelList& f = patch.edgeFaces()[e];
+            if (f.size() != 2 || facePiece[f[0]] != facePiece[f[1]])
+            {
+                meeting[patch.edges()[e][0]].append(e);
+                meeting[patch.edges()[e][1]].append(e);
+            }
+        }
+    }
+
+    //- Other than two edges between the same pieces that go straight on
+    bool isCorner(const label p) const
+    {
+        if (meeting[p].size() != 2)
+        {
+            return meeting[p].size();
+        }
+        labelHashSet sides;
+        vector away[2];
+        for (label i = 0; i < 2; ++i)
+        {
+            const label e = meeting[p][i];
+            const label end = boundary.edges()[e].otherVertex(p);
+            away[i] =
+                normalised
+                (
+                    boundary.localPoints()[end] - boundary.localPoints()[p]
+                );
+            for (const label f : boundary.edgeFaces()[e])
+            {
+                sides.insert(facePiece[f]);
+            }
+        }
+        return sides.size() != 2 || (away[0] & away[1]) > -(1 - 1e-10);
+    }
+
+    //- Along the edges from a corner to the next
+    label follow
+    (
+        const label start, label e, const Map<label>& corner, boolList& used
+    ) const
+    {
+        used[e] = true;
+        label p = boundary.edges()[e].otherVertex(start);
+        while (!corner.found(p))
+        {
+            e = meeting[p][0] == e ? meeting[p][1] : meeting[p][0];
+            used[e] = true;
+            p = boundary.edges()[e].otherVertex(p);
+        }
+        return p;
+    }
+};
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsbi::domainOutline::joinAcross
@@ -67,162 +146,104 @@ void Foam::fsbi::domainOutline::findPieces()
 
 void Foam::fsbi::domainOutline::findLines()
 {
-    const label nInternal = mesh_.nInternalFaces();
     const primitivePatch boundary
     (
-        SubList<face>(mesh_.faces(), mesh_.nBoundaryFaces(), nInternal),
+        SubList<face>
+        (
+            mesh_.faces(), mesh_.nBoundaryFaces(), mesh_.nInternalFaces()
+        ),
         mesh_.points()
     );
-    const edgeList& edges = boundary.edges();
-    const labelListList& edgeFaces = boundary.edgeFaces();
-    const pointField& points = boundary.localPoints();
+    const outlineEdges outline(boundary, facePiece_);
 
-    // the edges between pieces, and at their points the edges that meet
-    boolList between(edges.size(), false);
-    List<DynamicList<label>> meeting(points.size());
-    forAll(edges, e)
-    {
-        const labelList& f = edgeFaces[e];
-        if (f.size() != 2 || facePiece_[f[0]] != facePiece_[f[1]])
-        {
-            between[e] = true;
-            meeting[edges[e][0]].append(e);
-            meeting[edges[e][1]].append(e);
-        }
-    }
-
-    // a corner is where other than two edges between the same pieces go
-    // straight on
     Map<label> corner;
-    forAll(meeting, p)
+    forAll(outline.meeting, p)
     {
-        if (meeting[p].empty())
-        {
-            continue;
-        }
-        bool straight = meeting[p].size() == 2;
-        if (straight)
-        {
-            const label e0 = meeting[p][0], e1 = meeting[p][1];
-            vector a(points[edges[e0].otherVertex(p)] - points[p]);
-            vector b(points[edges[e1].otherVertex(p)] - points[p]);
-            labelHashSet sides;
-            for (const label e : {e0, e1})
-            {
-                for (const label f : edgeFaces[e])
-                {
-                    sides.insert(facePiece_[f]);
-                }
-            }
-            straight =
-                sides.size() == 2 && (a & b) < -(1 - 1e-10)*mag(a)*mag(b);
-        }
-        if (!straight)
+        if (outline.isCorner(p))
         {
             corner.insert(p, corners_.size());
             corners_.append(boundary.meshPoints()[p]);
         }
     }
 
-    loops_.setSize(piecePatch_.size());
-    boolList used(edges.size(), false);
-    forAll(meeting, start)
+    lineLists_.setSize(piecePatch_.size());
+    boolList used(boundary.nEdges(), false);
+    for (const label start : corner.sortedToc())
     {
-        if (!corner.found(start))
+        for (const label e : outline.meeting[start])
         {
-            continue;
-        }
-        for (label e : meeting[start])
-        {
-            if (used[e])
+            if (!used[e])
             {
-                continue;
-            }
-            const labelList& f = edgeFaces[e];
-            label p = start;
-            used[e] = true;
-            p = edges[e].otherVertex(p);
-            while (!corner.found(p))
-            {
-                e = meeting[p][0] == e ? meeting[p][1] : meeting[p][0];
-                used[e] = true;
-                p = edges[e].otherVertex(p);
-            }
-            lines_.append(labelPair(corner[start], corner[p]));
-            for (const label facei : f)
-            {
-                DynamicList<DynamicList<label>>& loops =
-                    loops_[facePiece_[facei]];
-                if (loops.empty())
+                const label end = outline.follow(start, e, corner, used);
+                lines_.append(labelPair(corner[start], corner[end]));
+                for (const label facei : boundary.edgeFaces()[e])
                 {
-                    loops.append(DynamicList<label>());
+                    lineLists_[facePiece_[facei]].append(lines_.size());
                 }
-                loops[0].append(lines_.size());
             }
         }
     }
 }
 
 
-void Foam::fsbi::domainOutline::orderLoops()
+Foam::label Foam::fsbi::domainOutline::takeNext
+(
+    const label corner, DynamicList<label>& left
+) const
 {
-    for (DynamicList<DynamicList<label>>& loops : loops_)
+    forAll(left, i)
     {
-        if (loops.empty())
+        const label l = left[i];
+        const labelPair& line = lines_[l - 1];
+        if (line.first() == corner || line.second() == corner)
         {
-            curved_ = true;
-            return;
-        }
-        DynamicList<label> left(loops[0]);
-        loops.clear();
-        scalarField areas;
-        while (left.size())
-        {
-            DynamicList<label> loop(1, left.remove());
-            const label first = lines_[mag(loop[0]) - 1].first();
-            label last = lines_[mag(loop[0]) - 1].second();
-            vector area(Zero);
-            const point& p0 = mesh_.points()[corners_[first]];
-            while (last != first)
-            {
-                label next = -1;
-                forAll(left, i)
-                {
-                    const labelPair& line = lines_[left[i] - 1];
-                    if (line.first() == last || line.second() == last)
-                    {
-                        next = i;
-                        break;
-                    }
-                }
-                if (next < 0)
-                {
-                    curved_ = true;
-                    return;
-                }
-                const labelPair& line = lines_[left[next] - 1];
-                const bool forward = line.first() == last;
-                const label to = forward ? line.second() : line.first();
-                area +=
-                    (mesh_.points()[corners_[last]] - p0)
-                  ^ (mesh_.points()[corners_[to]] - p0);
-                loop.append(forward ? left[next] : -left[next]);
-                last = to;
-                for (label i = next; i + 1 < left.size(); ++i)
-                {
-                    left[i] = left[i + 1];
-                }
-                left.remove();
-            }
-            areas.append(mag(area));
-            loops.append(loop);
-        }
-        const label outer = findMax(areas);
-        if (outer > 0)
-        {
-            loops[0].swap(loops[outer]);
+            left[i] = left.last();
+            left.remove();
+            return line.first() == corner ? l : -l;
         }
     }
+    return 0;
+}
+
+
+bool Foam::fsbi::domainOutline::closeLoops
+(
+    DynamicList<label> left, DynamicList<DynamicList<label>>& loops
+) const
+{
+    const auto corner = [&](const label i) -> const point&
+    {
+        return mesh_.points()[corners_[i]];
+    };
+    scalar largest = 0;
+    while (left.size())
+    {
+        DynamicList<label> loop(1, left.remove());
+        const label first = lines_[loop[0] - 1].first();
+        label last = lines_[loop[0] - 1].second();
+        vector area(Zero);
+        while (last != first)
+        {
+            const label l = takeNext(last, left);
+            if (l == 0)
+            {
+                return false;
+            }
+            const labelPair& line = lines_[mag(l) - 1];
+            const label to = l > 0 ? line.second() : line.first();
+            area +=
+                (corner(last) - corner(first)) ^ (corner(to) - corner(first));
+            loop.append(l);
+            last = to;
+        }
+        loops.append(loop);
+        if (mag(area) > largest)
+        {
+            largest = mag(area);
+            loops.last().swap(loops.first());
+        }
+    }
+    return loops.size();
 }
 
 
@@ -238,7 +259,12 @@ Foam::fsbi::domainOutline::domainOutline(const polyMesh& mesh)
     if (!curved_)
     {
         findLines();
-        orderLoops();
+        loops_.setSize(lineLists_.size());
+        forAll(loops_, i)
+        {
+            // an outline that does not close is none: keep the faces
+            curved_ = curved_ || !closeLoops(lineLists_[i], loops_[i]);
+        }
     }
 }
 
