@@ -67,7 +67,8 @@ Foam::autoPtr<Foam::polyMesh> Foam::fsbi::boxMesh
     const boundBox& box,
     const Vector<label>& n,
     const word& sideType,
-    const std::function<point(const point&)>& map
+    const std::function<point(const point&)>& map,
+    const bool spot
 )
 {
     pointField points((n.x() + 1)*(n.y() + 1)*(n.z() + 1));
@@ -102,8 +103,23 @@ Foam::autoPtr<Foam::polyMesh> Foam::fsbi::boxMesh
         sides[2].append(side(n, d, false));
         sides[2].append(side(n, d, true));
     }
-    const wordList names({"xMin", "xMax", "walls"});
-    PtrList<dictionary> dicts(3);
+    wordList names({"xMin", "xMax", "walls"});
+    if (spot)
+    {
+        DynamicList<face> inside, others;
+        for (const face& f : sides[2])
+        {
+            const point c((f.centre(points) - box.min()));
+            const bool in =
+                c.z() < 1e-6 && mag(c.x()/box.span().x() - 0.4) < 0.2
+             && mag(c.y()/box.span().y() - 0.5) < 0.2;
+            (in ? inside : others).append(f);
+        }
+        sides[2] = others;
+        sides.append(inside);
+        names.append("spot");
+    }
+    PtrList<dictionary> dicts(names.size());
     forAll(dicts, i)
     {
         dicts.set(i, new dictionary());

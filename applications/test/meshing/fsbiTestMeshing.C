@@ -15,6 +15,7 @@ Description
 #include "meshDistribution.H"
 #include "rigidBlendMotion.H"
 #include "argList.H"
+#include "SubField.H"
 
 using namespace Foam;
 using namespace Foam::fsbi;
@@ -122,6 +123,21 @@ static void checkGaps(checks& c)
         point(0, 0, 3)
     );
     checkMesh(c, "helix", coil, coil.generate());
+}
+
+
+static void checkSpot(checks& c)
+{
+    scene s("patch", {}, true);
+    s.add(shape("type sphere; radius 1;", 0.25), point(0, 0, 1.4));
+    const meshLists mesh(s.generate());
+    checkMesh(c, "patch in a patch", s, mesh);
+    autoPtr<fvMesh> fluid(s.fluid(mesh));
+    c.checkClose
+    (
+        "patch in a patch: area", sum(mag(fluid->boundaryMesh()[3].faceAreas())),
+        sum(mag(s.box->boundaryMesh()[3].faceAreas())), 1e-10
+    );
 }
 
 
@@ -352,6 +368,7 @@ int main(int argc, char* argv[])
         checkFar(c);
         checkUnits(c);
         checkGaps(c);
+        checkSpot(c);
         checkCurved(c);
         checkCyclic(c);
         checkMotion(c);
