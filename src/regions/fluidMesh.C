@@ -176,7 +176,8 @@ bool Foam::fsbi::fluidMesh::generate(string& reason)
     const meshDistribution part(whole, rank);
     mesh_ = part.mesh.makeMesh
     (
-        IOobject("fluid", time_.timeName(), time_, IOobject::NO_READ)
+        // so that fvSchemes and fvSolution are read
+        IOobject("fluid", time_.timeName(), time_, IOobject::READ_IF_PRESENT)
     );
     ++generation_;
     return true;
