@@ -41,6 +41,8 @@ def arguments(argv):
                    help="of the cut, towards the viewer")
     p.add_argument("--origin", nargs=3, type=float,
                    help="of the cut; default: middle of the bodies or the mesh")
+    p.add_argument("--within", type=float, help="show only cells nearer to the "
+                   "origin of the cut, in each direction")
     p.add_argument("--up", nargs=3, type=float, help="direction up on the page")
     p.add_argument("--tilt", nargs=2, type=float, default=[18, 20],
                    metavar=("RIGHT", "ABOVE"),
@@ -142,6 +144,18 @@ def colour_by(data, field, scale):
 def middle(data):
     b = data.GetBounds()
     return np.array([(b[0] + b[1]) / 2, (b[2] + b[3]) / 2, (b[4] + b[5]) / 2])
+
+
+def near(mesh, origin, distance):
+    """The cells in the cube around the origin."""
+    box = vtk.vtkBox()
+    box.SetBounds(*(o + s * distance for o in origin for s in (-1, 1)))
+    cells = vtk.vtkExtractGeometry()
+    cells.SetInputData(mesh)
+    cells.SetImplicitFunction(box)
+    cells.ExtractInsideOn()
+    cells.Update()
+    return cells.GetOutput()
 
 
 def crinkled(mesh, origin, normal):
@@ -330,6 +344,8 @@ def draw(options):
     normal, up = directions(options)
     origin = options.origin or (
         np.mean([middle(b) for b in bodies], axis=0) if bodies else middle(mesh))
+    if options.within:
+        mesh = near(mesh, origin, options.within)
     cut = crinkled(mesh, origin, normal)
     bounds = options.range or cut.GetPointData().GetScalars().GetRange()
 
