@@ -53,7 +53,9 @@ bool Foam::fsbi::scene::solve()
         rows[b] = bodies_[b].rows(time_.value());
     }
     List<sixVector> loads;
+    const label before = report_.iterations;
     report_ = fluid_->solve(rows, loads);
+    report_.iterations += before;
     forAll(rows, b)
     {
         bodies_[b].set(rows[b].velocity, loads[b]);
@@ -71,6 +73,7 @@ bool Foam::fsbi::scene::solve()
 bool Foam::fsbi::scene::advance()
 {
     failure_.clear();
+    report_ = solverReport();
     bool extrapolated = true;
     for (const rigidBody& body : bodies_)
     {
