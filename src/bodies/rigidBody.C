@@ -7,6 +7,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "bodyShape.H"
 #include "checkedDictionary.H"
 #include "mathematicalConstants.H"
+#include "OStringStream.H"
 
 const Foam::wordList Foam::fsbi::rigidBody::integrators
 ({
@@ -24,12 +25,27 @@ static quaternion rotationBy(const vector& angle)
     return a > VSMALL ? quaternion(angle/a, a) : quaternion::I;
 }
 
+//- The entries of a dictionary, one per line
+static string textOf(const dictionary& dict)
+{
+    OStringStream os;
+    os.precision(17);
+    dict.write(os, false);
+    return os.str();
+}
+
 } // End namespace Foam
 
 
-Foam::fsbi::rigidBody::rigidBody(const word& name, const dictionary& dict)
+Foam::fsbi::rigidBody::rigidBody
+(
+    const word& name,
+    const dictionary& dict,
+    const dictionary& saved
+)
 :
     name_(name),
+    density_(0),
     mass_(0),
     inertia_(Zero),
     oldStep_(0),
@@ -41,32 +57,23 @@ Foam::fsbi::rigidBody::rigidBody(const word& name, const dictionary& dict)
     integrator_ =
         entries.choice("integrator", integrators, integrators.first());
 
-    const autoPtr<bodyShape> shape(bodyShape::New(entries.subDict("shape")));
-    const bodySurface raw(shape->triangulate());
-    raw.check(name);
-    const point centroid(raw.centroid());
-    surface_ = raw.transformed(tensor::I, -centroid);
-
+    readDensity(entries);
+    const dictionary& shapeDict = entries.subDict("shape");
+    const autoPtr<bodyShape> shape(bodyShape::New(shapeDict));
+    shape_ = textOf(shapeDict);
+    const point position(entries.get<point>("position"));
     const Tuple2<vector, scalar> turned
     (
         entries.getOrDefault("orientation", Tuple2<vector, scalar>(Zero, 0))
     );
-    if (mag(turned.first()) > 0)
-    {
-        now_.orientation = quaternion
-        (
-            turned.first()/mag(turned.first()), turned.second()
-        );
-    }
-    now_.centre =
-        entries.get<point>("position") + (rotation() & centroid);
-    now_.velocity = join
+    const sixVector velocity
     (
-        entries.getOrDefault<vector>("velocity", Zero),
-        entries.getOrDefault<vector>("angularVelocity", Zero)
+        join
+        (
+            entries.getOrDefault<vector>("velocity", Zero),
+            entries.getOrDefault<vector>("angularVelocity", Zero)
+        )
     );
-
-    readMass(entries);
     for (auto* load : {&force_, &torque_})
     {
         const word key(load == &force_ ? "force" : "torque");
@@ -80,22 +87,84 @@ Foam::fsbi::rigidBody::rigidBody(const word& name, const dictionary& dict)
     readPrescription(constraints, "angularVelocity", angular_);
     constraints.finish();
     entries.finish();
+
+    if (saved.empty())
+    {
+        now_.velocity = velocity;
+        place(shape->triangulate(), position, turned);
+    }
+    else
+    {
+        checkShape(dict, saved);
+        restore(saved);
+    }
+}
+
+
+void Foam::fsbi::rigidBody::readDensity(const checkedDictionary& entries)
+{
+    overdamped_ = entries.getOrDefault("overdamped", false);
+    if (!overdamped_ || entries.found("density"))
+    {
+        density_ = entries.positive("density");
+    }
+    if (overdamped_ && integrator_ == "explicitEuler")
+    {
+        FatalIOErrorInFunction(entries.dict())
+            << "Integrator 'explicitEuler' needs inertia: it does not go with"
+            << " 'overdamped'; take integrator 'monolithic'"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::fsbi::rigidBody::place
+(
+    const bodySurface& raw,
+    const point& position,
+    const Tuple2<vector, scalar>& turned
+)
+{
+    raw.check(name_);
+    const point centroid(raw.centroid());
+    surface_ = raw.transformed(tensor::I, -centroid);
+    setMass();
+
+    if (mag(turned.first()) > 0)
+    {
+        now_.orientation = quaternion
+        (
+            turned.first()/mag(turned.first()), turned.second()
+        );
+    }
+    now_.centre = position + (rotation() & centroid);
     start_ = now_.centre;
     older_ = old_ = now_;
 }
 
 
-void Foam::fsbi::rigidBody::readMass(const checkedDictionary& entries)
+void Foam::fsbi::rigidBody::setMass()
 {
-    overdamped_ = entries.getOrDefault("overdamped", false);
-    if (!overdamped_ || entries.found("density"))
+    mass_ = density_*surface_.volume();
+    inertia_ = density_*(tensor::I & surface_.inertia());
+    radius_ = average(mag(surface_.points()));
+}
+
+
+void Foam::fsbi::rigidBody::checkShape
+(
+    const dictionary& dict,
+    const dictionary& saved
+) const
+{
+    if (saved.get<string>("shape") != shape_)
     {
-        const scalar density = entries.positive("density");
-        mass_ = density*surface_.volume();
-        inertia_ = density*(tensor::I & surface_.inertia());
+        FatalIOErrorInFunction(dict)
+            << "The shape of body '" << name_ << "' is no longer the one of"
+            << " the saved state, which is {" << nl
+            << saved.get<string>("shape").c_str() << "}. Put it back, or start"
+            << " a new run at time 0" << exit(FatalIOError);
     }
-    scalarField r(mag(surface_.points()));
-    radius_ = average(r);
 }
 
 
@@ -298,6 +367,7 @@ void Foam::fsbi::rigidBody::save(dictionary& dict) const
     write("older", older_);
     dict.set("start", start_);
     dict.set("step", oldStep_);
+    dict.set("shape", shape_);
     dict.set("points", surface_.points());
     dict.set("triangles", surface_.triangles());
 }
@@ -325,4 +395,5 @@ void Foam::fsbi::rigidBody::restore(const dictionary& dict)
     (
         dict.get<pointField>("points"), dict.get<List<triFace>>("triangles")
     );
+    setMass();
 }

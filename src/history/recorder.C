@@ -7,14 +7,33 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "Time.H"
 #include "OSspecific.H"
 
-Foam::fsbi::recorder::recorder(const Time& time, scene& scene)
+namespace Foam
+{
+
+//- A new run begins a new history
+static fileName historyOf(const Time& time, const bool restarted)
+{
+    const fileName file(time.globalPath()/"postProcessing"/"history.h5");
+    if (!restarted && Pstream::master())
+    {
+        rm(file);
+    }
+    return file;
+}
+
+} // End namespace Foam
+
+
+Foam::fsbi::recorder::recorder
+(
+    const Time& time,
+    scene& scene,
+    const bool restarted
+)
 :
     time_(time),
     scene_(scene),
-    history_
-    (
-        time.globalPath()/"postProcessing"/"history.h5", time.value()
-    )
+    history_(historyOf(time, restarted), time.value())
 {
     declare();
     openSeries();
@@ -118,6 +137,13 @@ void Foam::fsbi::recorder::append()
                 os << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();
             }
             os << endl;
+            if (!os.good())
+            {
+                FatalErrorInFunction
+                    << os.name() << " cannot be written. Is the disk full?"
+                    << " Saved states are untouched; make room and continue"
+                    << " with 'startFrom latestTime'" << exit(FatalError);
+            }
         }
     }
     history_.append

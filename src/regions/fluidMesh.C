@@ -6,12 +6,16 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluidMesh.H"
 #include "meshDistribution.H"
 #include "Time.H"
+#include "labelIOList.H"
+#include "pointIOField.H"
+#include "processorPolyPatch.H"
 
 Foam::fsbi::fluidMesh::fluidMesh
 (
     const Time& time,
     const PtrList<rigidBody>& bodies,
-    timings& t
+    timings& t,
+    const dictionary& saved
 )
 :
     time_(time),
@@ -31,33 +35,33 @@ Foam::fsbi::fluidMesh::fluidMesh
     followed_(-1),
     direction_(Zero),
     referenceShift_(Zero),
-    restarted_(false),
     generation_(0)
 {
     readFollow();
-    const fileName faces
-    (
-        time.findInstance("fluid"/polyMesh::meshSubDir, "faces", IOobject::READ_IF_PRESENT)
-    );
-    const bool found = returnReduce
-    (
-        isFile(time.path()/faces/"fluid"/polyMesh::meshSubDir/"faces"),
-        andOp<bool>()
-    );
-    if (found)
+    const remeshControls checked(remeshDict_);
+    if (saved.size())
     {
-        readMesh();
-        restarted_ = time.value() > 0;
+        readMesh(time_.timeName());
+        restore(saved);
+        return;
+    }
+    const fileName ready
+    (
+        time_.constantPath()/"fluid"/polyMesh::meshSubDir/"faces"
+    );
+    if (returnReduce(isFile(ready), andOp<bool>()))
+    {
+        readMesh(time_.constant());
     }
     else
     {
         auto timer = timings_.measure("meshing");
         string reason;
-        if (!generate(reason))
+        if (!generate(reason, [](){}))
         {
             FatalErrorInFunction
                 << "No acceptable mesh around the bodies could be made: "
-                << reason << exit(FatalError);
+                << reason.c_str() << exit(FatalError);
         }
     }
     setReference();
@@ -80,7 +84,7 @@ void Foam::fsbi::fluidMesh::readFollow()
 }
 
 
-void Foam::fsbi::fluidMesh::readMesh()
+void Foam::fsbi::fluidMesh::readMesh(const word& instance)
 {
     mesh_.reset
     (
@@ -88,7 +92,7 @@ void Foam::fsbi::fluidMesh::readMesh()
         (
             IOobject
             (
-                "fluid", time_.timeName(), time_, IOobject::MUST_READ
+                "fluid", instance, time_, IOobject::MUST_READ
             )
         )
     );
@@ -143,12 +147,33 @@ void Foam::fsbi::fluidMesh::readDomain()
             )
         )
     );
-    mesher_.reset(new conformalMesher(domain_(), remeshDict_));
     Pstream::parRun() = parallel;
+    checkPatchNames();
+    mesher_.reset(new conformalMesher(domain_(), remeshDict_));
 }
 
 
-bool Foam::fsbi::fluidMesh::generate(string& reason)
+void Foam::fsbi::fluidMesh::checkPatchNames() const
+{
+    const wordList patches(domain_->boundaryMesh().names());
+    for (const word& name : bodyNames())
+    {
+        if (patches.found(name))
+        {
+            FatalErrorInFunction
+                << "Body '" << name << "' has the name of a patch of the"
+                << " domain; its patches are " << flatOutput(patches)
+                << exit(FatalError);
+        }
+    }
+}
+
+
+bool Foam::fsbi::fluidMesh::generate
+(
+    string& reason,
+    const std::function<void()>& release
+)
 {
     readDomain();
     meshLists whole;
@@ -172,6 +197,7 @@ bool Foam::fsbi::fluidMesh::generate(string& reason)
     {
         return false;
     }
+    release();
     mesh_.clear();
     const meshDistribution part(whole, rank);
     mesh_ = part.mesh.makeMesh
@@ -179,6 +205,7 @@ bool Foam::fsbi::fluidMesh::generate(string& reason)
         // so that fvSchemes and fvSolution are read
         IOobject("fluid", time_.timeName(), time_, IOobject::READ_IF_PRESENT)
     );
+    setAddressing(part);
     ++generation_;
     return true;
 }
@@ -325,8 +352,7 @@ Foam::fsbi::fluidMesh::outcome Foam::fsbi::fluidMesh::follow
         return outcome::moved;
     }
     Info<< "Remeshing: " << worn.c_str() << endl;
-    release();
-    if (!generate(reason))
+    if (!generate(reason, release))
     {
         return outcome::failed;
     }
@@ -352,27 +378,87 @@ void Foam::fsbi::fluidMesh::save(dictionary& state) const
 }
 
 
-void Foam::fsbi::fluidMesh::restore
-(
-    const dictionary& state,
-    const pointField& referencePoints
-)
+void Foam::fsbi::fluidMesh::restore(const dictionary& saved)
 {
-    const auto centres = state.get<List<vector>>("referenceCentres");
+    const auto centres = saved.get<List<vector>>("referenceCentres");
     const auto orientations =
-        state.get<List<quaternion>>("referenceOrientations");
+        saved.get<List<quaternion>>("referenceOrientations");
+    referencePlacements_.setSize(bodies_.size());
     forAll(bodies_, b)
     {
         referencePlacements_[b].centre = centres[b];
         referencePlacements_[b].orientation = orientations[b];
     }
-    referenceShift_ = state.get<vector>("referenceShift");
-    generation_ = state.get<label>("generation");
-    referencePoints_ = referencePoints;
+    referenceShift_ = saved.get<vector>("referenceShift");
+    generation_ = saved.get<label>("generation");
+    referencePoints_ = pointIOField
+    (
+        IOobject
+        (
+            "referencePoints", time_.timeName(), polyMesh::meshSubDir, mesh(),
+            IOobject::MUST_READ, IOobject::NO_WRITE, false
+        )
+    );
+    readAddressing();
 
     const pointField now(mesh().points());
     mesh_->movePoints(referencePoints_);
     createMotion();
     mesh_->movePoints(now);
     mesh_->moving(false);
+}
+
+
+void Foam::fsbi::fluidMesh::setAddressing(const meshDistribution& part)
+{
+    addressing_.clear();
+    if (!Pstream::parRun())
+    {
+        return;
+    }
+    // faces count from one, negative where turned round here
+    labelList faces(part.faces);
+    const label nWhole = part.wholePatchStarts.size();
+    forAll(faces, f)
+    {
+        const label patch = mesh().boundaryMesh().whichPatch(f);
+        const auto* shared =
+            patch < 0
+          ? nullptr
+          : isA<processorPolyPatch>(mesh().boundaryMesh()[patch]);
+        faces[f] = (shared && !shared->owner() ? -1 : 1)*(faces[f] + 1);
+    }
+    labelList patches(mesh().boundaryMesh().size(), -1);
+    forAll(patches, i)
+    {
+        patches[i] = i < nWhole ? i : -1;
+    }
+    addressing_.set("cellProcAddressing", part.cells);
+    addressing_.set("faceProcAddressing", faces);
+    addressing_.set("pointProcAddressing", part.points);
+    addressing_.set("boundaryProcAddressing", patches);
+}
+
+
+void Foam::fsbi::fluidMesh::readAddressing()
+{
+    for
+    (
+        const word name :
+        {
+            "cellProcAddressing", "faceProcAddressing", "pointProcAddressing",
+            "boundaryProcAddressing"
+        }
+    )
+    {
+        IOobject io
+        (
+            name, mesh().facesInstance(), polyMesh::meshSubDir, mesh(),
+            IOobject::MUST_READ, IOobject::NO_WRITE, false
+        );
+        if (Pstream::parRun() && io.typeHeaderOk<labelIOList>(true))
+        {
+            addressing_.set(name, labelIOList(io));
+        }
+    }
 }

@@ -29,16 +29,16 @@ Foam::fsbi::fluidRegion::fluidRegion
 (
     const Time& time,
     const PtrList<rigidBody>& bodies,
-    timings& t
+    timings& t,
+    const dictionary& savedMesh
 )
 :
     time_(time),
     timings_(t),
-    mesh_(time, bodies, t),
-    mu_(0)
+    mu_(readViscosity(time)),
+    mesh_(time, bodies, t, savedMesh)
 {
-    readMaterial();
-    if (mesh_.restarted())
+    if (savedMesh.size())
     {
         readFields();
     }
@@ -52,21 +52,22 @@ Foam::fsbi::fluidRegion::fluidRegion
 }
 
 
-void Foam::fsbi::fluidRegion::readMaterial()
+Foam::scalar Foam::fsbi::fluidRegion::readViscosity(const Time& time)
 {
     const IOdictionary material
     (
         IOobject
         (
-            "material", time_.caseConstant(), "fluid", time_,
+            "material", time.caseConstant(), "fluid", time,
             IOobject::MUST_READ, IOobject::NO_WRITE, false
         )
     );
     const checkedDictionary entries(material);
     entries.found("FoamFile");
     entries.choice("type", {"Newtonian"});
-    mu_ = entries.positive("viscosity");
+    const scalar viscosity = entries.positive("viscosity");
     entries.finish();
+    return viscosity;
 }
 
 
@@ -105,6 +106,7 @@ Foam::dictionary Foam::fsbi::fluidRegion::presentDictionary() const
             continue;
         }
         OStringStream os;
+        os.precision(17);
         pf.write(os);
         dictionary entry(IStringStream(os.str())());
         entry.remove("value");
@@ -112,6 +114,7 @@ Foam::dictionary Foam::fsbi::fluidRegion::presentDictionary() const
         {
             // a plain value lasts through remeshing where it is uniform
             OStringStream value;
+            value.precision(17);
             value << "value uniform " << gAverage(pf) << ";";
             entry.read(IStringStream(value.str())(), false);
         }
@@ -274,11 +277,41 @@ void Foam::fsbi::fluidRegion::createOperators()
     {
         length = min(length, body.radius());
     }
-    solver_ = fluidSolver::New
-    (
-        mesh(), stokes_(), mesh().solutionDict().subOrEmptyDict("coupling"),
-        length
-    );
+    const dictionary& coupling =
+        mesh().solutionDict().subOrEmptyDict("coupling");
+    checkIntegrators(coupling);
+    solver_ = fluidSolver::New(mesh(), stokes_(), coupling, length);
+}
+
+
+void Foam::fsbi::fluidRegion::checkIntegrators(const dictionary& coupling) const
+{
+    const word method(coupling.getOrDefault<word>("method", "coupled"));
+    for (const rigidBody& body : mesh_.bodies())
+    {
+        if (body.integrator() == "semiImplicit" && method != "SIMPLEC")
+        {
+            FatalErrorInFunction
+                << "Body '" << body.name() << "' has the integrator"
+                << " 'semiImplicit', which works inside method SIMPLEC only,"
+                << " but 'method' of 'coupling' in "
+                << coupling.name() << " is '" << method
+                << "'. Take integrator 'monolithic'" << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::fsbi::fluidRegion::rewind()
+{
+    if (oldX_.size() == x_.size())
+    {
+        x_ = oldX_;
+    }
+    else
+    {
+        x_ = 0;     // the failed step has left a new mesh
+    }
 }
 
 

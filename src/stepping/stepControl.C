@@ -5,40 +5,94 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "stepControl.H"
 #include <csignal>
+#include <unistd.h>
 
 namespace
 {
 
 volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t speaker = 0;
 
-extern "C" void onInterrupt(int)
+extern "C" void onInterrupt(int signal)
 {
+    static const char message[] =
+        "\nThe run ends after this step, with a saved state;"
+        " once more ends it at once\n";
     interrupted = 1;
-    std::signal(SIGINT, SIG_DFL);       // a second one ends the run at once
+    std::signal(signal, SIG_DFL);
+    if (speaker && write(STDERR_FILENO, message, sizeof(message) - 1) < 0)
+    {
+        speaker = 0;
+    }
 }
 
 //- Steps grow by no more than this factor
 const Foam::scalar maxGrowth = 1.5;
 
+//- Part of a step by which times may differ and still be the same
+const Foam::scalar sameTime = 1e-6;
+
+//- Seconds in the unit that reads best
+std::string readable(const Foam::scalar seconds)
+{
+    char text[40];
+    if (seconds < 120)
+    {
+        snprintf(text, sizeof(text), "%.0f s", seconds);
+    }
+    else if (seconds < 7200)
+    {
+        snprintf(text, sizeof(text), "%.0f min", seconds/60);
+    }
+    else
+    {
+        snprintf(text, sizeof(text), "%.1f h", seconds/3600);
+    }
+    return text;
+}
+
 } // End anonymous namespace
 
 
-Foam::fsbi::stepControl::stepControl(Time& time, scene& scene)
+Foam::fsbi::stepControl::stepControl(Time& time)
 :
     time_(time),
-    scene_(scene),
     chosen_(time.deltaTValue()),
-    minDeltaT_(controlEntry("minDeltaT", 1e-6*time.deltaTValue())),
-    startValue_(time.value()),
-    startIndex_(time.timeIndex()),
+    gridTime_(-GREAT),
+    outputs_(outputsUntil(time.value())),
+    before_(time),
+    endBefore_(time.endTime().value()),
     retry_(false),
+    stop_(false),
+    began_(-1),
     firstTime_(time.value())
 {
+    checkEntries();
+    speaker = Pstream::master();
     std::signal(SIGINT, onInterrupt);
+    std::signal(SIGTERM, onInterrupt);
 }
 
 
-Foam::scalar Foam::fsbi::stepControl::controlEntry
+bool Foam::fsbi::stepControl::adjustable() const
+{
+    return time_.controlDict().getOrDefault("adjustTimeStep", false);
+}
+
+
+bool Foam::fsbi::stepControl::periodicOutput() const
+{
+    const word control
+    (
+        time_.controlDict().getOrDefault<word>("writeControl", "timeStep")
+    );
+    return
+        control == "runTime" || control == "adjustable"
+     || control == "adjustableRunTime";
+}
+
+
+Foam::scalar Foam::fsbi::stepControl::entry
 (
     const word& key, const scalar deflt
 ) const
@@ -47,34 +101,65 @@ Foam::scalar Foam::fsbi::stepControl::controlEntry
 }
 
 
-Foam::scalar Foam::fsbi::stepControl::adjusted(word& limit) const
+void Foam::fsbi::stepControl::checkEntries() const
 {
-    const scalar maxRotation = controlEntry("maxRotation", 0.2);
-    const scalar maxTravel = controlEntry("maxTravel", 0.2);
-    scalar dt = controlEntry("maxDeltaT", GREAT);
-    limit = "maxDeltaT";
-    const auto require = [&](const scalar wanted, const word& reason)
+    for
+    (
+        const word key :
+        {
+            "deltaT", "writeInterval", "maxDeltaT", "maxRotation", "maxTravel",
+            "minDeltaT"
+        }
+    )
+    {
+        if (!(entry(key, 1) > 0))
+        {
+            FatalIOErrorInFunction(time_.controlDict())
+                << "Entry '" << key << "' must be above zero, but is "
+                << entry(key, 1) << exit(FatalIOError);
+        }
+    }
+}
+
+
+Foam::label Foam::fsbi::stepControl::outputsUntil(const scalar time) const
+{
+    return periodicOutput()
+      ? label
+        (
+            time/entry("writeInterval", GREAT)
+          + sameTime*min
+            (
+                time_.deltaTValue()/entry("writeInterval", GREAT), scalar(1)
+            )
+        )
+      : 0;
+}
+
+
+Foam::scalar Foam::fsbi::stepControl::smallestWanted(const scene& scene)
+{
+    const scalar maxRotation = entry("maxRotation", 0.2);
+    const scalar maxTravel = entry("maxTravel", 0.2);
+    scalar dt = GREAT;
+    const auto require = [&](const scalar wanted, const string& reason)
     {
         if (wanted < dt)
         {
             dt = wanted;
-            limit = reason;
+            limit_ = reason;
         }
     };
-    if (time_.timeIndex() > 0)
-    {
-        require(maxGrowth*chosen_, "growth");
-    }
-    else
-    {
-        require(chosen_, "deltaT");
-    }
-    for (const rigidBody& body : scene_.bodies())
+    require(entry("maxDeltaT", GREAT), "maxDeltaT");
+    const bool first = time_.timeIndex() == 0;
+    require(first ? chosen_ : maxGrowth*chosen_, first ? "deltaT" : "growth");
+    for (const rigidBody& body : scene.bodies())
     {
         const sixVector& v = body.now().velocity;
         require
         (
-            maxRotation/max(mag(angular(v)), VSMALL), "rotation of " + body.name()
+            maxRotation/max(mag(angular(v)), VSMALL),
+            "rotation of " + body.name()
         );
         require
         (
@@ -86,31 +171,71 @@ Foam::scalar Foam::fsbi::stepControl::adjusted(word& limit) const
 }
 
 
-bool Foam::fsbi::stepControl::next()
+Foam::scalar Foam::fsbi::stepControl::fitted(const scalar dt) const
+{
+    const scalar now = time_.value();
+    scalar target = time_.endTime().value();
+    if (periodicOutput())
+    {
+        const scalar interval = entry("writeInterval", GREAT);
+        const scalar nextOutput = (outputs_ + 1)*interval;
+        // not onto a remainder before the end time
+        if (nextOutput < target - sameTime*dt)
+        {
+            target = nextOutput;
+        }
+    }
+    const scalar steps = (target - now)/dt;
+    return
+        steps > sameTime && steps < labelMax
+      ? (target - now)/std::ceil(steps - sameTime)
+      : dt;
+}
+
+
+void Foam::fsbi::stepControl::choose(const scene& scene)
+{
+    if (adjustable())
+    {
+        chosen_ = smallestWanted(scene);
+        time_.setDeltaT(fitted(chosen_), false);
+        return;
+    }
+    const scalar deltaT = time_.controlDict().get<scalar>("deltaT");
+    if (time_.value() < gridTime_ - sameTime*deltaT)
+    {
+        limit_ = "a rejected step";
+    }
+    else
+    {
+        gridTime_ = -GREAT;
+        chosen_ = deltaT;
+        limit_ = "deltaT";
+    }
+    time_.setDeltaT(chosen_, false);
+}
+
+
+bool Foam::fsbi::stepControl::next(const scene& scene)
 {
     if (!retry_)
     {
-        if (returnReduce(bool(interrupted), orOp<bool>()))
+        if (stop_)
         {
-            Info<< "Interrupted: the state at " << time_.timeName()
-                << " is saved, 'startFrom latestTime' continues" << endl;
             return false;
         }
+        if (began_ < 0)
+        {
+            began_ = clock_.elapsedTime();
+        }
+        outputs_ = outputsUntil(time_.value());
+        choose(scene);
         if (!time_.run())
         {
             return false;
         }
-        startValue_ = time_.value();
-        startIndex_ = time_.timeIndex();
-        if (time_.controlDict().getOrDefault("adjustTimeStep", false))
-        {
-            chosen_ = adjusted(limit_);
-            time_.setDeltaT(chosen_);
-        }
-        else
-        {
-            limit_ = "deltaT";
-        }
+        before_ = time_;
+        endBefore_ = time_.endTime().value();
     }
     retry_ = false;
     ++time_;
@@ -118,42 +243,59 @@ bool Foam::fsbi::stepControl::next()
 }
 
 
-void Foam::fsbi::stepControl::reject()
+void Foam::fsbi::stepControl::reject(const scene& scene)
 {
     const scalar dt = 0.5*time_.deltaTValue();
+    const scalar shortest =
+        entry("minDeltaT", 1e-6*time_.controlDict().get<scalar>("deltaT"));
     Info<< "Step to " << time_.timeName() << " rejected: "
-        << scene_.failure().c_str() << "; again with " << dt << endl;
-    if (dt < minDeltaT_)
+        << scene.failure().c_str() << endl;
+    if (dt < shortest)
     {
         FatalErrorInFunction
-            << "Steps down to " << dt << " fail: " << scene_.failure().c_str()
-            << ". The last saved state is untouched." << exit(FatalError);
+            << "Steps down to " << 2*dt << " fail, the last one because "
+            << scene.failure().c_str() << ". Saved states are untouched;"
+            << " minDeltaT in " << time_.controlDict().name()
+            << " is " << shortest << exit(FatalError);
     }
-    time_.setTime(startValue_, startIndex_);
+    if (!adjustable() && gridTime_ < 0)
+    {
+        gridTime_ = time_.value();
+    }
+    // all of the clock goes back, also its count of outputs
+    static_cast<TimeState&>(time_) = before_;
+    time_.setEndTime(endBefore_);
     chosen_ = dt;
-    limit_ = "rejected step";
+    limit_ = "a rejected step";
     time_.setDeltaT(dt, false);
     retry_ = true;
 }
 
 
-void Foam::fsbi::stepControl::report() const
+void Foam::fsbi::stepControl::accept(const scene& scene)
 {
-    const scalar end = time_.endTime().value();
+    stop_ = returnReduce(bool(interrupted), orOp<bool>());
+
+    const scalar end = max(time_.endTime().value(), time_.value());
     const scalar done =
         (time_.value() - firstTime_)/max(end - firstTime_, VSMALL);
-    const scalar left = clock_.elapsedTime()*(1 - done)/max(done, VSMALL);
-    const scalar gap = scene_.smallestGap();
-
-    char line[256];
+    const scalar left =
+        (clock_.elapsedTime() - began_)*(1 - done)/max(done, VSMALL);
+    const scalar gap = scene.smallestGap();
+    char gapText[32] = "-";
+    if (gap < 0.1*GREAT)
+    {
+        snprintf(gapText, sizeof(gapText), "%.4g", gap);
+    }
+    char line[320];
     snprintf
     (
         line, sizeof(line),
-        "t %-10s dt %-8.4g (%s)  its %3d  residual %7.1e  gap %-7.4g"
-        "  %5.1f %%  left %.0f s",
-        time_.timeName().c_str(), time_.deltaTValue(), limit_.c_str(),
-        int(scene_.report().iterations), scene_.report().residual, gap,
-        100*done, left
+        "t %-10s dt %-9.4g its %3d  residual %7.1e  gap %-8s %5.1f %%"
+        "  left %-7s dt by %s",
+        time_.timeName().c_str(), time_.deltaTValue(),
+        int(scene.report().iterations), scene.report().residual, gapText,
+        100*done, readable(left).c_str(), limit_.c_str()
     );
     Info<< line << endl;
 }
@@ -161,6 +303,48 @@ void Foam::fsbi::stepControl::report() const
 
 bool Foam::fsbi::stepControl::saveDue() const
 {
-    return time_.writeTime()
-        || returnReduce(bool(interrupted), orOp<bool>());
+    const bool discard =
+        time_.controlDict().getOrDefault<word>("stopAt", "endTime")
+     == "noWriteNow";
+    return
+        stop_
+     || (periodicOutput()
+          ? outputsUntil(time_.value()) > outputs_
+          : time_.writeTime())
+     || (time_.end() && !discard);
+}
+
+
+void Foam::fsbi::stepControl::conclude() const
+{
+    if (stop_)
+    {
+        Info<< nl << "Interrupted at " << time_.timeName() << ": the state is"
+            << " saved, 'startFrom latestTime' continues from here" << endl;
+    }
+    else if (time_.value() == firstTime_)
+    {
+        Info<< nl << "Nothing to do: the start time " << time_.timeName()
+            << " has reached the end time " << time_.endTime().value() << endl;
+    }
+}
+
+
+void Foam::fsbi::stepControl::save(dictionary& state) const
+{
+    state.set("time", time_.value());
+    state.set("index", time_.timeIndex());
+    state.set("chosen", chosen_);
+    state.set("gridTime", gridTime_);
+}
+
+
+void Foam::fsbi::stepControl::restore(const dictionary& state)
+{
+    // the folder's name holds fewer digits
+    time_.setTime(state.get<scalar>("time"), state.get<label>("index"));
+    chosen_ = state.get<scalar>("chosen");
+    gridTime_ = state.get<scalar>("gridTime");
+    outputs_ = outputsUntil(time_.value());
+    firstTime_ = time_.value();
 }

@@ -23,45 +23,58 @@ int main(int argc, char *argv[])
     argList::addNote
     (
         "Cells and microrobots in microvascular flow: Stokes flow and rigid"
-        " bodies\non a conformal moving mesh. Run blockMesh first."
+        " bodies\non a conformal moving mesh.\n\n"
+        "    blockMesh && fsbiFoam                  in a case folder\n"
+        "    blockMesh && decomposePar && mpirun -np 2 fsbiFoam -parallel\n\n"
+        "Reads constant/bodies, constant/fluid/material, 0/fluid/U and\n"
+        "system/{controlDict,remeshDict,fluid/fvSolution}. Writes time folders"
+        " with\nregion fluid (U, p, polyMesh), postProcessing/history.h5 and"
+        " postProcessing/bodies.\n"
+        "Ctrl-C ends the run after the step in hand with a saved state;\n"
+        "'startFrom latestTime' continues."
     );
 
     #include "setRootCase.H"
+    fsbi::stateFolder::recover(args.path());
     #include "createTime.H"
 
-    fsbi::checkpoint::verifyStart(runTime);
+    fsbi::stepControl steps(runTime);
+    fsbi::checkpoint states(runTime);
+    const dictionary saved(states.read());
+    const bool restarted = saved.size();
 
     fsbi::petscSession petsc;
-    fsbi::scene scene(runTime);
-    fsbi::stepControl steps(runTime, scene);
-    fsbi::checkpoint saved(runTime, scene, steps);
-
-    const bool restarted = saved.restore();
-    fsbi::recorder history(runTime, scene);
-
-    if (!restarted)
+    fsbi::scene scene(runTime, saved);
+    if (restarted)
     {
-        saved.write();
+        steps.restore(saved.subDict("stepControl"));
     }
+    else
+    {
+        states.write(scene, steps);
+    }
+    fsbi::recorder history(runTime, scene, restarted);
 
-    while (steps.next())
+    while (steps.next(scene))
     {
         scene.beginStep();
 
         if (!scene.advance())
         {
             scene.rewind();
-            steps.reject();
+            steps.reject(scene);
             continue;
         }
 
         scene.endStep();
+        steps.accept(scene);
         history.append();
-        saved.writeWhenDue();
-        steps.report();
+        states.writeWhenDue(scene, steps);
     }
 
+    steps.conclude();
     scene.clocks().report(Info);
+    runTime.printExecutionTime(Info);
     Info<< "End" << nl << endl;
 
     return 0;
