@@ -15,7 +15,7 @@ namespace fsbi
 //- How far outside the cloud of its cells, in its own standard deviations
 //  squared, a vertex may lie before more cells are asked for, and before the
 //  plane is given up for the mean
-static const scalar extendAbove = 4;
+static const scalar extendAbove = 10;
 static const scalar averageAbove = 100;
 
 //- Moments of the cells around a vertex, relative to the vertex
@@ -50,6 +50,7 @@ void Foam::fsbi::meshStencil::update()
     setFaces();
     setVertices();
     setCells();
+    setWalls();
 }
 
 
@@ -292,5 +293,92 @@ void Foam::fsbi::meshStencil::setCells()
         {
             cellCoeff_[start + i] = correction & cellCoeff_[start + i];
         }
+    }
+}
+
+
+Foam::symmTensorField Foam::fsbi::meshStencil::covariances() const
+{
+    symmTensorField result(mesh_.nCells() + halo_.size(), Zero);
+    const pointField& x = mesh_.points();
+    forAll(mesh_.cells(), celli)
+    {
+        // tetrahedra from the centre: sum of (vertex - centre)^2, V/20 each
+        const point& C = mesh_.cellCentres()[celli];
+        symmTensor sum(Zero);
+        scalar volume = 0;
+        for (const label facei : mesh_.cells()[celli])
+        {
+            const face& f = mesh_.faces()[facei];
+            const scalar sign = mesh_.faceOwner()[facei] == celli ? 1 : -1;
+            for (label i = 1; i < f.size() - 1; ++i)
+            {
+                const vector a(x[f[0]] - C), b(x[f[i]] - C), c(x[f[i + 1]] - C);
+                const scalar V = sign*(a & (b ^ c))/6;
+                volume += V;
+                sum += V/20*(sqr(a) + sqr(b) + sqr(c) + sqr(a + b + c));
+            }
+        }
+        result[celli] = sum/volume;
+    }
+    halo_.fill(result.begin()->v_, 6);
+    return result;
+}
+
+
+Foam::symmTensorField Foam::fsbi::meshStencil::vertexSpreads() const
+{
+    const pointField& x = mesh_.points();
+    const vectorField C(centres());
+    const symmTensorField covariance(covariances());
+    symmTensorField spread(x.size(), Zero);
+    forAll(x, v)
+    {
+        for (label i = vertexStart_[v]; i < vertexStart_[v + 1]; ++i)
+        {
+            const label celli = vertexCell_[i];
+            spread[v] +=
+                vertexWeight_[i]*(sqr(C[celli] - x[v]) + covariance[celli]);
+        }
+    }
+    syncTools::syncPointList
+    (
+        mesh_, spread, plusEqOp<symmTensor>(), symmTensor::zero
+    );
+    return spread;
+}
+
+
+void Foam::fsbi::meshStencil::setWalls()
+{
+    const label nInternal = mesh_.nInternalFaces();
+    const pointField& x = mesh_.points();
+    const symmTensorField covariance(covariances());
+    const symmTensorField spread(vertexSpreads());
+
+    wallWeight_.setSize(mesh_.nFaces() - nInternal);
+    forAll(wallWeight_, i)
+    {
+        const label facei = nInternal + i;
+        const label celli = mesh_.faceOwner()[facei];
+        const point& Cf = mesh_.faceCentres()[facei];
+        const vector n(normalised(mesh_.faceAreas()[facei]));
+        const scalar h = n & (Cf - mesh_.cellCentres()[celli]);
+
+        // what the cell mean and the cell gradient make of y^2, y from the
+        // wall inwards; wall vertices keep their value, zero
+        const scalar mean = (h*h + (n & (covariance[celli] & n)))/h;
+        scalar gradient = 0;
+        for (label j = cellStart_[celli]; j < cellStart_[celli + 1]; ++j)
+        {
+            const label v = cellVertex_[j];
+            if (!mesh_.faces()[facei].found(v))
+            {
+                const scalar y = n & (Cf - x[v]);
+                gradient -=
+                    (cellCoeff_[j] & n)*(y*y + (n & (spread[v] & n)));
+            }
+        }
+        wallWeight_[i] = min(max(gradient/max(gradient - mean, SMALL*h), 1.2), 3);
     }
 }

@@ -11,6 +11,9 @@ namespace Foam
 namespace fsbi
 {
 
+//- Of the pressure stabilisation: larger is smoother, and less local
+static const scalar stabilisationScale = 1;
+
 //- [u v w p] at a vertex, for summing over processors
 typedef FixedList<scalar, 4> state4;
 
@@ -106,17 +109,18 @@ void Foam::fsbi::stokesOperator::setStabilisation()
         if (velocityGiven_[i])
         {
             const vector& Sf = mesh_.faceAreas()[facei];
-            const wallGradient wall
+            const vector db
             (
-                Sf, mesh_.faceCentres()[facei] - mesh_.cellCentres()[celli]
+                mesh_.faceCentres()[facei] - mesh_.cellCentres()[celli]
             );
-            diagonal[celli] += mu_*mag(Sf)/wall.distance();
+            diagonal[celli] += mu_*magSqr(Sf)/(Sf & db);
         }
     }
     stabilisation_.setSize(diagonal.size());
     forAll(mesh_.cellVolumes(), celli)
     {
-        stabilisation_[celli] = mesh_.cellVolumes()[celli]/diagonal[celli];
+        stabilisation_[celli] =
+            stabilisationScale*mesh_.cellVolumes()[celli]/diagonal[celli];
     }
     stencil_.halo().fill(stabilisation_.data(), 1);
 }
@@ -225,13 +229,10 @@ void Foam::fsbi::stokesOperator::addInnerFaces(scalar* r) const
         const vector Hv(face.gradient(xP[1], xN[1], gP + 3, gN + 3));
         const vector Hw(face.gradient(xP[2], xN[2], gP + 6, gN + 6));
 
-        // mu (H + H^T).S - p S
-        const vector transposed(S.x()*Hu + S.y()*Hv + S.z()*Hw);
         const vector t
         (
-            mu_*((Hu & S) + transposed.x()) - p*S.x(),
-            mu_*((Hv & S) + transposed.y()) - p*S.y(),
-            mu_*((Hw & S) + transposed.z()) - p*S.z()
+            mu_*(Hu & S) - p*S.x(), mu_*(Hv & S) - p*S.y(),
+            mu_*(Hw & S) - p*S.z()
         );
 
         const scalar w = face.weight();
@@ -259,6 +260,27 @@ void Foam::fsbi::stokesOperator::addInnerFaces(scalar* r) const
 }
 
 
+Foam::vector Foam::fsbi::stokesOperator::transposedAtWall
+(
+    const label facei
+) const
+{
+    const face& f = mesh_.faces()[facei];
+    const pointField& x = mesh_.points();
+    vector sum(Zero);
+    forAll(f, k)
+    {
+        const label v = f[k], next = f.nextLabel(k);
+        const scalar* a = vertexValues_.cdata() + 4*v;
+        const scalar* b = vertexValues_.cdata() + 4*next;
+        sum +=
+            (x[next] - x[v])
+          ^ vector(0.5*(a[0] + b[0]), 0.5*(a[1] + b[1]), 0.5*(a[2] + b[2]));
+    }
+    return sum;
+}
+
+
 void Foam::fsbi::stokesOperator::addBoundaryFaces
 (
     const boundaryValues& b,
@@ -281,11 +303,15 @@ void Foam::fsbi::stokesOperator::addBoundaryFaces
             const label i = facei - mesh_.nInternalFaces();
             const label P = owner[facei];
             const vector& S = mesh_.faceAreas()[facei];
-            const wallGradient wall(S, Cf[facei] - C[P]);
+            const wallGradient wall
+            (
+                S, Cf[facei] - C[P], stencil_.wallWeight()[i]
+            );
             const scalar* x = values_.cdata() + 4*P;
             const scalar* g = gradients_.cdata() + 12*P;
             scalar* rP = r + 4*P;
 
+            vector t;
             scalar flux;
             if (velocityGiven_[i])
             {
@@ -294,9 +320,8 @@ void Foam::fsbi::stokesOperator::addBoundaryFaces
                 const vector Hv(wall.gradient(x[1], ub.y(), g + 3));
                 const vector Hw(wall.gradient(x[2], ub.z(), g + 6));
                 const scalar p = wall.value(x[3], g + 9);
-                const vector transposed(S.x()*Hu + S.y()*Hv + S.z()*Hw);
-                traction[i] =
-                    mu_*(vector(Hu & S, Hv & S, Hw & S) + transposed) - p*S;
+                t = mu_*vector(Hu & S, Hv & S, Hw & S) - p*S;
+                traction[i] = t + mu_*transposedAtWall(facei);
                 flux = ub & S;
             }
             else
@@ -304,11 +329,16 @@ void Foam::fsbi::stokesOperator::addBoundaryFaces
                 // the pressure that the given traction asks for, against
                 // the one extrapolated, drives the stabilising flux
                 const vector& n = wall.normal();
-                const vector Hn(n.x()*vector(g[0], g[1], g[2])
-                  + n.y()*vector(g[3], g[4], g[5])
-                  + n.z()*vector(g[6], g[7], g[8]));
-                const scalar p = 2*mu_*(Hn & n) - (b.faces[i] & n);
+                const vector transposed
+                (
+                    S.x()*vector(g[0], g[1], g[2])
+                  + S.y()*vector(g[3], g[4], g[5])
+                  + S.z()*vector(g[6], g[7], g[8])
+                );
+                const scalar p =
+                    2*mu_*(transposed & n)/mag(S) - (b.faces[i] & n);
                 traction[i] = mag(S)*b.faces[i];
+                t = traction[i] - mu_*transposed;
                 flux =
                     S.x()*wall.value(x[0], g)
                   + S.y()*wall.value(x[1], g + 3)
@@ -316,9 +346,9 @@ void Foam::fsbi::stokesOperator::addBoundaryFaces
                   - stabilisation_[P]*mag(S)/wall.distance()
                    *(p - wall.value(x[3], g + 9));
             }
-            rP[0] -= traction[i].x();
-            rP[1] -= traction[i].y();
-            rP[2] -= traction[i].z();
+            rP[0] -= t.x();
+            rP[1] -= t.y();
+            rP[2] -= t.z();
             rP[3] += flux;
         }
     }

@@ -76,11 +76,8 @@ Foam::scalar Foam::fsbi::stokesPreconditioner::wallCoeff(const label i) const
     const label facei = mesh_.nInternalFaces() + i;
     const label P = mesh_.faceOwner()[facei];
     const vector& S = mesh_.faceAreas()[facei];
-    const wallGradient wall
-    (
-        S, mesh_.faceCentres()[facei] - mesh_.cellCentres()[P]
-    );
-    return stokes_.mu()*mag(S)/wall.distance();
+    const vector db(mesh_.faceCentres()[facei] - mesh_.cellCentres()[P]);
+    return stokes_.mu()*magSqr(S)/(S & db);
 }
 
 
