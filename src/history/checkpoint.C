@@ -7,7 +7,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "OStringStream.H"
 #include "OSspecific.H"
 #include "pointIOField.H"
-#include "labelIOList.H"
 #include "IOdictionary.H"
 
 namespace Foam
@@ -74,14 +73,6 @@ void Foam::fsbi::checkpoint::addMesh
 ) const
 {
     const fvMesh& mesh = meshing.mesh();
-    const auto named = [&](const word& name)
-    {
-        return IOobject
-        (
-            name, time_.timeName(), polyMesh::meshSubDir, mesh,
-            IOobject::NO_READ, IOobject::NO_WRITE, false
-        );
-    };
     for (const word name : {"points", "faces", "owner", "neighbour", "boundary"})
     {
         add(folder, mesh.thisDb().lookupObject<regIOobject>(name));
@@ -89,12 +80,16 @@ void Foam::fsbi::checkpoint::addMesh
     add
     (
         folder,
-        pointIOField(named("referencePoints"), meshing.referencePoints())
+        pointIOField
+        (
+            IOobject
+            (
+                "referencePoints", time_.timeName(), polyMesh::meshSubDir,
+                mesh, IOobject::NO_READ, IOobject::NO_WRITE, false
+            ),
+            meshing.referencePoints()
+        )
     );
-    forAllConstIters(meshing.addressing(), list)
-    {
-        add(folder, labelIOList(named(list.key()), list.val()));
-    }
 }
 
 

@@ -87,68 +87,77 @@ void Foam::fsbi::recorder::openSeries()
 }
 
 
+void Foam::fsbi::recorder::appendSeries
+(
+    OFstream& os,
+    const rigidBody::state& s
+) const
+{
+    const auto add = [&](const vector& v)
+    {
+        os << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();
+    };
+    os << time_.value();
+    add(s.centre);
+    os << ' ' << s.orientation.w();
+    add(s.orientation.v());
+    add(linear(s.velocity));
+    add(angular(s.velocity));
+    add(linear(s.load));
+    add(angular(s.load));
+    os << endl;
+    if (!os.good())
+    {
+        FatalErrorInFunction
+            << os.name() << " cannot be written. Is the disk full?"
+            << " Saved states are untouched; make room and continue with"
+            << " 'startFrom latestTime'" << exit(FatalError);
+    }
+}
+
+
+void Foam::fsbi::recorder::appendHistory(const rigidBody& body)
+{
+    const scalar t = time_.value();
+    const fileName path("bodies"/body.name());
+    const auto add = [&](const fileName& table, const vector& v)
+    {
+        history_.append(path/table, t, scalarList({v.x(), v.y(), v.z()}));
+    };
+    const rigidBody::state& s = body.now();
+    const vector& q = s.orientation.v();
+    const sixVector applied(body.applied(t));
+
+    add("position", s.centre);
+    history_.append
+    (
+        path/"orientation", t,
+        scalarList({s.orientation.w(), q.x(), q.y(), q.z()})
+    );
+    add("velocity", linear(s.velocity));
+    add("angularVelocity", angular(s.velocity));
+    add("force/fluid", linear(s.load));
+    add("torque/fluid", angular(s.load));
+    add("force/applied", linear(applied));
+    add("torque/applied", angular(applied));
+}
+
+
 void Foam::fsbi::recorder::append()
 {
     auto timer = scene_.clocks().measure("output");
-    const scalar t = time_.value();
-    const auto row = [&](const fileName& path, const vector& v)
-    {
-        history_.append(path, t, scalarList({v.x(), v.y(), v.z()}));
-    };
     forAll(scene_.bodies(), b)
     {
         const rigidBody& body = scene_.bodies()[b];
-        const rigidBody::state& s = body.now();
-        const fileName path("bodies"/body.name());
-        const vector& q = s.orientation.v();
-        const sixVector applied(body.applied(t));
-
-        row(path/"position", s.centre);
-        history_.append
-        (
-            path/"orientation", t,
-            scalarList({s.orientation.w(), q.x(), q.y(), q.z()})
-        );
-        row(path/"velocity", linear(s.velocity));
-        row(path/"angularVelocity", angular(s.velocity));
-        row(path/"force"/"fluid", linear(s.load));
-        row(path/"torque"/"fluid", angular(s.load));
-        row(path/"force"/"applied", linear(applied));
-        row(path/"torque"/"applied", angular(applied));
-
-        if (series_.set(b))
+        appendHistory(body);
+        if (Pstream::master())
         {
-            OFstream& os = series_[b];
-            os << t;
-            for (const vector& v : {s.centre})
-            {
-                os << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();
-            }
-            os << ' ' << s.orientation.w();
-            for
-            (
-                const vector& v :
-                {
-                    q, linear(s.velocity), angular(s.velocity),
-                    linear(s.load), angular(s.load)
-                }
-            )
-            {
-                os << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();
-            }
-            os << endl;
-            if (!os.good())
-            {
-                FatalErrorInFunction
-                    << os.name() << " cannot be written. Is the disk full?"
-                    << " Saved states are untouched; make room and continue"
-                    << " with 'startFrom latestTime'" << exit(FatalError);
-            }
+            appendSeries(series_[b], body.now());
         }
     }
     history_.append
     (
-        "cost", t,
+        "cost", time_.value(),
         scalarList
         ({
             time_.deltaTValue(), scalar(scene_.report().iterations),

@@ -6,9 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluidMesh.H"
 #include "meshDistribution.H"
 #include "Time.H"
-#include "labelIOList.H"
 #include "pointIOField.H"
-#include "processorPolyPatch.H"
 
 Foam::fsbi::fluidMesh::fluidMesh
 (
@@ -205,7 +203,6 @@ bool Foam::fsbi::fluidMesh::generate
         // so that fvSchemes and fvSolution are read
         IOobject("fluid", time_.timeName(), time_, IOobject::READ_IF_PRESENT)
     );
-    setAddressing(part);
     ++generation_;
     return true;
 }
@@ -399,66 +396,10 @@ void Foam::fsbi::fluidMesh::restore(const dictionary& saved)
             IOobject::MUST_READ, IOobject::NO_WRITE, false
         )
     );
-    readAddressing();
 
     const pointField now(mesh().points());
     mesh_->movePoints(referencePoints_);
     createMotion();
     mesh_->movePoints(now);
     mesh_->moving(false);
-}
-
-
-void Foam::fsbi::fluidMesh::setAddressing(const meshDistribution& part)
-{
-    addressing_.clear();
-    if (!Pstream::parRun())
-    {
-        return;
-    }
-    // faces count from one, negative where turned round here
-    labelList faces(part.faces);
-    const label nWhole = part.wholePatchStarts.size();
-    forAll(faces, f)
-    {
-        const label patch = mesh().boundaryMesh().whichPatch(f);
-        const auto* shared =
-            patch < 0
-          ? nullptr
-          : isA<processorPolyPatch>(mesh().boundaryMesh()[patch]);
-        faces[f] = (shared && !shared->owner() ? -1 : 1)*(faces[f] + 1);
-    }
-    labelList patches(mesh().boundaryMesh().size(), -1);
-    forAll(patches, i)
-    {
-        patches[i] = i < nWhole ? i : -1;
-    }
-    addressing_.set("cellProcAddressing", part.cells);
-    addressing_.set("faceProcAddressing", faces);
-    addressing_.set("pointProcAddressing", part.points);
-    addressing_.set("boundaryProcAddressing", patches);
-}
-
-
-void Foam::fsbi::fluidMesh::readAddressing()
-{
-    for
-    (
-        const word name :
-        {
-            "cellProcAddressing", "faceProcAddressing", "pointProcAddressing",
-            "boundaryProcAddressing"
-        }
-    )
-    {
-        IOobject io
-        (
-            name, mesh().facesInstance(), polyMesh::meshSubDir, mesh(),
-            IOobject::MUST_READ, IOobject::NO_WRITE, false
-        );
-        if (Pstream::parRun() && io.typeHeaderOk<labelIOList>(true))
-        {
-            addressing_.set(name, labelIOList(io));
-        }
-    }
 }
