@@ -1,0 +1,66 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the check of a validation wants to know of a finished run.
+
+    run = Case("mesh1")
+    run.velocity("tumourCell")[-1]          # at the last time
+    run.seconds, run.cells, run.iterations
+"""
+
+import csv
+import os
+import re
+
+from .history import History
+
+
+class Case:
+    def __init__(self, folder):
+        self.folder = folder
+        self.history = History(os.path.join(folder, "postProcessing", "history.h5"))
+        cost = self.history["cost"]
+        self.cells = int(cost["cells"].max())
+        self.iterations = cost["iterations"]
+        self.seconds = self._seconds("total")
+        self.solve_seconds = self._seconds("solve")
+
+    def _seconds(self, part):
+        """From the closing table of the log; nan if the run did not end."""
+        with open(os.path.join(self.folder, "log.fsbiFoam"), errors="replace") as log:
+            found = re.findall(rf"^ *{part} +([0-9.]+) s ", log.read(), re.M)
+        return float(found[-1]) if found else float("nan")
+
+    def time(self):
+        return self.history["cost"]["time"]
+
+    def _vectors(self, body, quantity):
+        return self.history[f"bodies/{body}/{quantity}"].array[:, 1:]
+
+    def position(self, body):
+        return self._vectors(body, "position")
+
+    def velocity(self, body):
+        return self._vectors(body, "velocity")
+
+    def spin(self, body):
+        return self._vectors(body, "angularVelocity")
+
+    def force(self, body, source="fluid"):
+        return self._vectors(body, f"force/{source}")
+
+    def torque(self, body, source="fluid"):
+        return self._vectors(body, f"torque/{source}")
+
+
+def reference(path):
+    """The rows of a CSV file as dicts of floats; # starts a comment."""
+    with open(path) as file:
+        rows = csv.DictReader(line for line in file if not line.startswith("#"))
+        return [{k: float(v) for k, v in row.items()} for row in rows]
+
+
+def cases(pattern):
+    """Finished runs among folders that match, in the order of their names."""
+    import glob
+    return [Case(folder) for folder in sorted(glob.glob(pattern))
+            if os.path.isfile(os.path.join(folder, "log.fsbiFoam"))]

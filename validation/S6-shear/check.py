@@ -1,0 +1,113 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Compare the runs with theory; write results.csv and draw."""
+
+import sys
+
+import numpy as np
+
+from fsbi import plots
+from fsbi.case import Case, cases, reference
+from fsbi.results import Results
+
+BODY, RATE, RADIUS, HEIGHT, PATH = "tumourCell", 5e-5, 8, 60, 480
+quick = sys.argv[1] == "true"
+results = Results("S6")
+
+
+def mean_over_time(run, values):
+    steps = run.history["cost"]["step"]
+    return np.sum(steps * values) / np.sum(steps)
+
+
+def far_from_walls():
+    """Mean rotation and velocity, drift from the start."""
+    runs = cases("runs/far*")
+    drifts, spins = [], []              # mean or largest along the path
+    for i, run in enumerate(runs):
+        spin = mean_over_time(run, run.spin(BODY)[:, 1])
+        speed = mean_over_time(run, run.velocity(BODY)[:, 0])
+        offset = run.position(BODY) - [60, 60, HEIGHT]
+        drift = np.hypot(offset[-1, 1], offset[-1, 2]) / PATH
+        largest = np.hypot(offset[:, 1], offset[:, 2]).max() / PATH
+        mesh = f"mesh{i + 1}"
+        cost = dict(seconds=run.seconds, cells=run.cells)
+        results.add(f"omega_over_halfGamma_{mesh}", 2 * spin / RATE, 1,
+                    0.01, **cost)
+        results.add(f"U_over_gammaH_{mesh}", speed / (RATE * HEIGHT), 1,
+                    0.002, **cost)
+        results.add(f"drift_over_path_{mesh}_abs", drift, 0,
+                    5e-4, **cost)
+        drifts.append(largest)
+        spins.append(abs(mean_over_time(run, abs(2 * run.spin(BODY)[:, 1] / RATE - 1))))
+    size = np.array([run.cells ** (-1 / 3) for run in runs])
+    if not quick:
+        results.at_least("drift_falls_by_factor", drifts[0] / drifts[-1], 2)
+        draw_far(runs, drifts, spins)
+
+
+def draw_far(runs, drifts, spins):
+    size = np.array([120 * run.cells ** (-1 / 3) for run in runs])
+    plots.convergence(
+        "convergence.png", size,
+        {"largest drift / path": np.array(drifts), "rotation (mean error)": np.array(spins)},
+        xlabel="mean cell size, width / cells^(1/3) (µm)", ylabel="error",
+        title="Far from walls, 480 µm of path")
+
+
+def confinement():
+    """How much the finite domain changes the rotation."""
+    runs = cases("runs/width*")
+    if not runs:
+        return
+    spins = [2 * run.spin(BODY)[-1, 1] / RATE for run in runs]
+    for run, spin, width in zip(runs, spins, (30, 60, 120)):
+        results.add(f"omega_over_halfGamma_halfWidth{width}", spin, 1,
+                    0.02 if width == 30 else 0.01, seconds=run.seconds, cells=run.cells)
+    results.add("confinement_at_halfWidth60_abs", spins[1] - spins[2], 0, 2e-3)
+
+
+def beside_a_wall():
+    points = []
+    for row in reference("reference/freeSphereNearWall.csv"):
+        ratio = row["h_over_a"]
+        try:
+            run = Case(f"runs/wall{ratio!r}".removesuffix(".0"))
+        except FileNotFoundError:
+            continue
+        speed = run.velocity(BODY)[-1, 0] / (RATE * RADIUS * ratio)
+        spin = 2 * run.spin(BODY)[-1, 1] / RATE
+        cost = dict(seconds=run.seconds, cells=run.cells)
+        bound = 0.03 if quick else 0.02
+        results.add(f"U_over_gammaH_at_{ratio:.4g}a", speed, row["U_over_gh"], bound, **cost)
+        results.add(f"omega_over_halfGamma_at_{ratio:.4g}a", spin,
+                    row["twoOmega_over_g"], bound, **cost)
+        points.append((ratio, speed, spin))
+    if not quick:
+        draw_wall(np.array(points))
+
+
+def draw_wall(points):
+    table = reference("reference/freeSphereNearWall.csv")
+    gap = np.array([row["h_over_a"] - 1 for row in table])
+    shown = (gap > 0.03) & (gap < 5)
+    figure, axes = plots.plt.subplots()
+    for key, label, style in (("U_over_gh", "U / γh", "-"),
+                              ("twoOmega_over_g", "ω / (γ/2)", "--")):
+        axes.plot(gap[shown], np.array([row[key] for row in table])[shown],
+                  style, color="black", lw=1.2, label=f"{label}, exact")
+    for i, label in ((1, "U / γh"), (2, "ω / (γ/2)")):
+        axes.plot(points[:, 0] - 1, points[:, i], ls="none", color=plots.COLOURS[i - 1],
+                  marker=plots.MARKERS[i - 1], mfc="white", mew=1.4,
+                  label=f"{label}, fsbiFoam")
+    axes.set(xscale="log", xlabel="gap between sphere and wall / radius",
+             ylabel="velocity and rotation, relative to the flow's")
+    axes.set_title("A free sphere beside a wall in shear flow", loc="left")
+    axes.legend()
+    plots.save(figure, "nearWall.png")
+
+
+far_from_walls()
+confinement()
+beside_a_wall()
+results.write()
