@@ -89,6 +89,21 @@ void Foam::fsbi::stokesOperator::update()
 }
 
 
+bool Foam::fsbi::stokesOperator::closed() const
+{
+    bool closed = true;
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        const label start = pp.start() - mesh_.nInternalFaces();
+        for (label i = start; !pp.coupled() && i < start + pp.size(); ++i)
+        {
+            closed &= velocityGiven_[i];
+        }
+    }
+    return returnReduce(closed, andOp<bool>());
+}
+
+
 void Foam::fsbi::stokesOperator::setStabilisation()
 {
     const vectorField& S = stencil_.area();

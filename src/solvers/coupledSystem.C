@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "coupledSystem.H"
+#include "bodyCoupling.H"
 #include "checkedDictionary.H"
 #include "mathematicalConstants.H"
 #include "Pstream.H"
@@ -29,21 +30,13 @@ Foam::fsbi::coupledSystem::coupledSystem
     freshIterations_(0)
 {
     const checkedDictionary entries(dict);
-    entries.choice("method", {"coupled"}, "coupled");
+    entries.found("method");
+    entries.found("faceValues");
     tolerance_ = entries.positive("tolerance", 1e-6);
     maxIterations_ = entries.getOrDefault<label>("maxIterations", 300);
     entries.finish();
 
-    boolList velocityGiven(stokes.velocityGiven());
-    closed_ = true;
-    for (const polyPatch& pp : mesh.boundaryMesh())
-    {
-        for (label i = 0; !pp.coupled() && i < pp.size(); ++i)
-        {
-            closed_ &= velocityGiven[pp.start() - mesh.nInternalFaces() + i];
-        }
-    }
-    reduce(closed_, andOp<bool>());
+    closed_ = stokes.closed();
 }
 
 
@@ -168,75 +161,6 @@ void Foam::fsbi::coupledSystem::writeBodies
 }
 
 
-void Foam::fsbi::coupledSystem::setBodyVelocities
-(
-    const UList<sixVector>& v
-) const
-{
-    forAll(v, b)
-    {
-        const bodyRows& body = (*bodies_)[b];
-        const vector V(linear(v[b])), omega(angular(v[b]));
-        for (const label i : body.faces)
-        {
-            const point& x = mesh_.faceCentres()[mesh_.nInternalFaces() + i];
-            values_.faces[i] = V + (omega ^ (x - body.centre));
-        }
-        for (const label i : body.vertices)
-        {
-            const point& x = mesh_.points()[stokes_.wallVertices()[i]];
-            values_.vertices[i] = V + (omega ^ (x - body.centre));
-        }
-    }
-}
-
-
-void Foam::fsbi::coupledSystem::bodyResidual
-(
-    const UList<sixVector>& v,
-    const bool homogeneous,
-    List<sixVector>& r
-) const
-{
-    forAll(v, b)
-    {
-        const bodyRows& body = (*bodies_)[b];
-        vector force(Zero), torque(Zero);
-        for (const label i : body.faces)
-        {
-            const point& x = mesh_.faceCentres()[mesh_.nInternalFaces() + i];
-            force += traction_[i];
-            torque += (x - body.centre) ^ traction_[i];
-        }
-        // the fluid's outward traction is minus the load on the body
-        r[b] = join(force, torque);
-        MPI_Allreduce
-        (
-            MPI_IN_PLACE, r[b].data(), 6, MPI_DOUBLE, MPI_SUM,
-            PETSC_COMM_WORLD
-        );
-        const sixVector inertia
-        (
-            join
-            (
-                body.massRate*linear(v[b]), body.inertiaRate & angular(v[b])
-            )
-        );
-        forAll(r[b], k)
-        {
-            if (body.free[k])
-            {
-                r[b][k] += inertia[k] - (homogeneous ? 0 : body.rhs[k]);
-            }
-            else
-            {
-                r[b][k] = v[b][k] - (homogeneous ? 0 : body.velocity[k]);
-            }
-        }
-    }
-}
-
-
 void Foam::fsbi::coupledSystem::residual
 (
     const scalar* x,
@@ -258,7 +182,7 @@ void Foam::fsbi::coupledSystem::residual
         values_.vertices = given_->vertices;
     }
     const List<sixVector> v(readBodies(x));
-    setBodyVelocities(v);
+    setBodyVelocities(stokes_, *bodies_, v, values_);
 
     std::copy_n(x, 4*n, state_.begin());
     for (label i = 0; i < n; ++i)
@@ -266,8 +190,13 @@ void Foam::fsbi::coupledSystem::residual
         state_[4*i + 3] *= mu/length_;
     }
     stokes_.residual(state_.cdata(), values_, r, traction_);
-    List<sixVector> bodyR(v.size());
-    bodyResidual(v, homogeneous, bodyR);
+    List<sixVector> bodyR
+    (
+        bodyDefects
+        (
+            *bodies_, v, bodyLoads(mesh_, *bodies_, traction_), homogeneous
+        )
+    );
 
     const scalar perForce = 1/(mu*length_);
     const scalar perFlux = 1/sqr(length_);
@@ -282,10 +211,11 @@ void Foam::fsbi::coupledSystem::residual
     {
         forAll(bodyR[b], k)
         {
-            // rows of forces and torques, or of given velocities; the latter
-            // and torques are brought to scale by writeBodies()
+            // writeBodies() multiplies torques, and angular velocities where
+            // they are given, by the length
             const bool free = (*bodies_)[b].free[k];
-            bodyR[b][k] *= free ? (k < 3 ? perForce : perForce/sqr(length_)) : 1;
+            bodyR[b][k] *=
+               -(free ? (k < 3 ? perForce : perForce/sqr(length_)) : 1);
         }
     }
     writeBodies(bodyR, r);
@@ -361,7 +291,7 @@ void Foam::fsbi::coupledSystem::precondition
     }
     values_.faces = Zero;
     values_.vertices = Zero;
-    setBodyVelocities(v);
+    setBodyVelocities(stokes_, *bodies_, v, values_);
     forAll(v, b)
     {
         for (const label i : (*bodies_)[b].faces)

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "coupledSystem.H"
+#include "SIMPLEC.H"
 #include "checkedDictionary.H"
 
 Foam::autoPtr<Foam::fsbi::fluidSolver> Foam::fsbi::fluidSolver::New
@@ -16,7 +17,14 @@ Foam::autoPtr<Foam::fsbi::fluidSolver> Foam::fsbi::fluidSolver::New
 {
     const word method
     (
-        checkedDictionary(dict).choice("method", {"coupled"}, "coupled")
+        checkedDictionary(dict).choice
+        (
+            "method", {"coupled", "SIMPLEC"}, "coupled"
+        )
     );
+    if (method == "SIMPLEC")
+    {
+        return autoPtr<fluidSolver>(new SIMPLEC(mesh, stokes, dict, length));
+    }
     return autoPtr<fluidSolver>(new coupledSystem(mesh, stokes, dict, length));
 }

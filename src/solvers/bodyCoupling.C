@@ -1,0 +1,100 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include <mpi.h>
+#include "bodyCoupling.H"
+
+void Foam::fsbi::setBodyVelocities
+(
+    const stokesOperator& stokes,
+    const UList<bodyRows>& bodies,
+    const UList<sixVector>& velocities,
+    boundaryValues& values
+)
+{
+    const fvMesh& mesh = stokes.stencil().mesh();
+    forAll(bodies, b)
+    {
+        const bodyRows& body = bodies[b];
+        const vector V(linear(velocities[b])), omega(angular(velocities[b]));
+        for (const label i : body.faces)
+        {
+            const point& x = mesh.faceCentres()[mesh.nInternalFaces() + i];
+            values.faces[i] = V + (omega ^ (x - body.centre));
+        }
+        for (const label i : body.vertices)
+        {
+            const point& x = mesh.points()[stokes.wallVertices()[i]];
+            values.vertices[i] = V + (omega ^ (x - body.centre));
+        }
+    }
+}
+
+
+Foam::List<Foam::fsbi::sixVector> Foam::fsbi::bodyLoads
+(
+    const fvMesh& mesh,
+    const UList<bodyRows>& bodies,
+    const vectorField& traction
+)
+{
+    scalarField sums(6*bodies.size(), Zero);
+    forAll(bodies, b)
+    {
+        vector force(Zero), torque(Zero);
+        for (const label i : bodies[b].faces)
+        {
+            const point& x = mesh.faceCentres()[mesh.nInternalFaces() + i];
+            force -= traction[i];
+            torque -= (x - bodies[b].centre) ^ traction[i];
+        }
+        const sixVector load(join(force, torque));
+        std::copy_n(load.begin(), 6, sums.begin() + 6*b);
+    }
+    if (UPstream::parRun())
+    {
+        MPI_Allreduce
+        (
+            MPI_IN_PLACE, sums.data(), sums.size(), MPI_DOUBLE, MPI_SUM,
+            MPI_COMM_WORLD
+        );
+    }
+    List<sixVector> loads(bodies.size());
+    forAll(loads, b)
+    {
+        std::copy_n(sums.begin() + 6*b, 6, loads[b].begin());
+    }
+    return loads;
+}
+
+
+Foam::List<Foam::fsbi::sixVector> Foam::fsbi::bodyDefects
+(
+    const UList<bodyRows>& bodies,
+    const UList<sixVector>& velocities,
+    const UList<sixVector>& loads,
+    const bool homogeneous
+)
+{
+    const scalar given = homogeneous ? 0 : 1;
+    List<sixVector> defects(bodies.size());
+    forAll(bodies, b)
+    {
+        const bodyRows& body = bodies[b];
+        const sixVector& v = velocities[b];
+        const sixVector inertia
+        (
+            join(body.massRate*linear(v), body.inertiaRate & angular(v))
+        );
+        forAll(v, k)
+        {
+            defects[b][k] =
+                body.free[k]
+              ? given*body.rhs[k] + loads[b][k] - inertia[k]
+              : given*body.velocity[k] - v[k];
+        }
+    }
+    return defects;
+}
