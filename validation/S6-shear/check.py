@@ -78,7 +78,7 @@ def beside_a_wall():
         speed = run.velocity(BODY)[-1, 0] / (RATE * RADIUS * ratio)
         spin = 2 * run.spin(BODY)[-1, 1] / RATE
         cost = dict(seconds=run.seconds, cells=run.cells)
-        bound = 0.03 if quick else 0.02
+        bound = 0.02
         results.add(f"U_over_gammaH_at_{ratio:.4g}a", speed, row["U_over_gh"], bound, **cost)
         results.add(f"omega_over_halfGamma_at_{ratio:.4g}a", spin,
                     row["twoOmega_over_g"], bound, **cost)

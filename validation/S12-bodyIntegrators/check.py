@@ -1,0 +1,75 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Amplification of the slip per step against theory; write results.csv."""
+
+import sys
+
+import numpy as np
+
+from fsbi import plots
+from fsbi.case import Case
+from fsbi.results import Results
+
+BODY, RADIUS = "tumourCell", 8
+SPEED, SPIN = 1.4e-4, 2.5e-5
+TAU, TAU_SPIN = 2 * RADIUS**2 / 9, RADIUS**2 / 15
+quick = sys.argv[1] == "true"
+results = Results("S12")
+
+
+def slip(kind, integrator, step):
+    """Of velocity or rotation, relative to its end value, and the run."""
+    run = Case(f"runs/{kind}_{integrator}_{step}")
+    if kind == "start":
+        return 1 - run.velocity(BODY)[:, 0] / SPEED, run
+    return 1 - run.spin(BODY)[:, 1] / SPIN, run
+
+
+def amplification(s):
+    """Mean factor per step over the early steps, with its sign."""
+    ratios = s[1:5] / s[0:4]
+    return np.median(ratios)
+
+
+def explicit(kind, tau, steps):
+    found = []
+    for step in steps:
+        s, run = slip(kind, "explicitEuler", step)
+        factor = amplification(s)
+        results.add(f"explicitEuler_{kind}_factor_{step}us_abs", factor, 1 - step / tau,
+                    0.03 * max(1, step / tau), seconds=run.seconds, cells=run.cells)
+        grows = abs(s[-1]) > abs(s[1])
+        results.add(f"explicitEuler_{kind}_diverges_{step}us_abs", float(grows),
+                    float(step > 2 * tau), 0)
+        found.append((step / tau, abs(factor)))
+    return np.array(found)
+
+
+def monolithic(kind):
+    s, run = slip(kind, "monolithic", 10000)
+    results.add(f"monolithic_{kind}_slip_10000us_abs", abs(s[1:]).max(), 0, 0.01,
+                seconds=run.seconds, cells=run.cells)
+
+
+def draw(start, shear):
+    figure, axes = plots.plt.subplots()
+    z = np.linspace(0, 4.5, 100)
+    axes.plot(z, np.abs(1 - z), color="black", lw=1.2, label="|1 − dt/τ|")
+    axes.axhline(1, color="#888888", lw=1, ls=":")
+    for i, (points, label) in enumerate(((start, "translation, τ = 14.2 µs"),
+                                         (shear, "rotation, τ = 4.27 µs"))):
+        axes.plot(points[:, 0], points[:, 1], ls="none", marker=plots.MARKERS[i],
+                  color=plots.COLOURS[i], mfc="white", mew=1.4, label=label)
+    axes.set(xlabel="step / relaxation time", ylabel="growth of the slip per step")
+    axes.set_title("explicitEuler: unstable above two relaxation times", loc="left")
+    axes.legend()
+    plots.save(figure, "explicitEuler.png")
+
+
+start = explicit("start", TAU, (27, 31) if quick else (10, 27, 31, 60))
+shear = explicit("shear", TAU_SPIN, (8, 9) if quick else (4, 8, 9, 12))
+monolithic("start")
+monolithic("shear")
+if not quick:
+    draw(start, shear)
+results.write()
