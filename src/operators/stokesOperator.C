@@ -44,12 +44,14 @@ Foam::fsbi::stokesOperator::stokesOperator
 (
     const fvMesh& mesh,
     const scalar mu,
-    const boolList& velocityGiven
+    const boolList& velocityGiven,
+    const bool linearFaces
 )
 :
     mesh_(mesh),
     stencil_(mesh),
     mu_(mu),
+    linearFaces_(linearFaces),
     velocityGiven_(velocityGiven)
 {
     boolList onWall(mesh.nPoints(), false);
@@ -141,6 +143,36 @@ void Foam::fsbi::stokesOperator::setStabilisation()
 }
 
 
+void Foam::fsbi::stokesOperator::sumSharedVertices() const
+{
+    if (!UPstream::parRun() && !stencil_.halo().size())
+    {
+        return;
+    }
+    const globalMeshData& global = mesh_.globalData();
+    const labelList& shared = global.coupledPatch().meshPoints();
+    List<state4> sums(shared.size());
+    forAll(shared, i)
+    {
+        std::copy_n(vertexValues_.begin() + 4*shared[i], 4, sums[i].begin());
+    }
+    globalMeshData::syncData
+    (
+        sums,
+        global.globalPointSlaves(),
+        global.globalPointTransformedSlaves(),
+        global.globalPointSlavesMap(),
+        global.globalTransforms(),
+        plusEqState4(),
+        noTransform()
+    );
+    forAll(shared, i)
+    {
+        std::copy_n(sums[i].begin(), 4, vertexValues_.begin() + 4*shared[i]);
+    }
+}
+
+
 void Foam::fsbi::stokesOperator::setVertexValues
 (
     const scalar* x,
@@ -170,16 +202,7 @@ void Foam::fsbi::stokesOperator::setVertexValues
         std::copy_n(sum, 4, vertexValues_.begin() + 4*v);
     }
 
-    if (mesh_.globalData().nGlobalPoints() || stencil_.halo().size() || UPstream::parRun())
-    {
-        List<state4> sums(nPoints);
-        std::copy_n(vertexValues_.begin(), 4*nPoints, sums[0].begin());
-        syncTools::syncPointList
-        (
-            mesh_, sums, plusEqState4(), state4(scalar(0)), noTransform()
-        );
-        std::copy_n(sums[0].begin(), 4*nPoints, vertexValues_.begin());
-    }
+    sumSharedVertices();
 
     forAll(wallVertices_, i)
     {
@@ -218,6 +241,7 @@ void Foam::fsbi::stokesOperator::setGradients() const
 }
 
 
+template<bool linear>
 void Foam::fsbi::stokesOperator::addInnerFaces(scalar* r) const
 {
     const label* owner = stencil_.owner().cdata();
@@ -239,7 +263,7 @@ void Foam::fsbi::stokesOperator::addInnerFaces(scalar* r) const
         const scalar* gP = gradients_.cdata() + 12*P;
         const scalar* gN = gradients_.cdata() + 12*N;
 
-        const scalar p = face.value(xP[3], xN[3], gP + 9, gN + 9);
+        const scalar p = face.value<linear>(xP[3], xN[3], gP + 9, gN + 9);
         const vector Hu(face.gradient(xP[0], xN[0], gP, gN));
         const vector Hv(face.gradient(xP[1], xN[1], gP + 3, gN + 3));
         const vector Hw(face.gradient(xP[2], xN[2], gP + 6, gN + 6));
@@ -253,9 +277,9 @@ void Foam::fsbi::stokesOperator::addInnerFaces(scalar* r) const
         const scalar w = face.weight();
         const scalar D = w*stabilisation_[P] + (1 - w)*stabilisation_[N];
         const scalar flux =
-            S.x()*face.value(xP[0], xN[0], gP, gN)
-          + S.y()*face.value(xP[1], xN[1], gP + 3, gN + 3)
-          + S.z()*face.value(xP[2], xN[2], gP + 6, gN + 6)
+            S.x()*face.value<linear>(xP[0], xN[0], gP, gN)
+          + S.y()*face.value<linear>(xP[1], xN[1], gP + 3, gN + 3)
+          + S.z()*face.value<linear>(xP[2], xN[2], gP + 6, gN + 6)
           - D*face.compact()*face.jump(xP[3], xN[3], gP + 9, gN + 9);
 
         scalar* rP = r + 4*P;
@@ -381,7 +405,7 @@ void Foam::fsbi::stokesOperator::residual
     std::fill_n(r, 4*mesh_.nCells(), scalar(0));
     setVertexValues(x, b);
     setGradients();
-    addInnerFaces(r);
+    linearFaces_ ? addInnerFaces<true>(r) : addInnerFaces<false>(r);
     addBoundaryFaces(b, r, traction);
 }
 

@@ -269,7 +269,18 @@ void Foam::fsbi::fluidRegion::linkBodies()
 void Foam::fsbi::fluidRegion::createOperators()
 {
     solver_.clear();
-    stokes_.reset(new stokesOperator(mesh(), mu_, velocityGiven()));
+    const dictionary& coupling =
+        mesh().solutionDict().subOrEmptyDict("coupling");
+    checkIntegrators(coupling);
+    const bool linearFaces =
+        checkedDictionary(coupling).choice
+        (
+            "faceValues", {"reconstructed", "linear"}, "reconstructed"
+        ) == "linear";
+    stokes_.reset
+    (
+        new stokesOperator(mesh(), mu_, velocityGiven(), linearFaces)
+    );
     linkBodies();
 
     scalar length = cbrt(gSum(mesh().V()));
@@ -277,9 +288,6 @@ void Foam::fsbi::fluidRegion::createOperators()
     {
         length = min(length, body.radius());
     }
-    const dictionary& coupling =
-        mesh().solutionDict().subOrEmptyDict("coupling");
-    checkIntegrators(coupling);
     solver_ = fluidSolver::New(mesh(), stokes_(), coupling, length);
 }
 

@@ -17,7 +17,6 @@ Foam::fsbi::stokesPreconditioner::stokesPreconditioner
     pressure_(mesh.nCells() + stokes.stencil().halo().size())
 {
     createMatrix();
-    rebuild();
 }
 
 
