@@ -56,10 +56,17 @@ void Foam::fsbi::checkpoint::add
     const regIOobject& object
 ) const
 {
-    const bool table = isA<dictionary>(object);
-    OStringStream os(table ? IOstream::ASCII : time_.writeFormat());
+    // a mesh as text would be another class of lists; what users edit is text
+    OStringStream os
+    (
+        object.local() == polyMesh::meshSubDir ? IOstream::BINARY
+      : isA<dictionary>(object) || time_.value() <= 0 ? IOstream::ASCII
+      : time_.writeFormat()
+    );
     os.precision(exactly);
-    object.writeHeader(os);
+    IOobject io(object);
+    io.instance() = time_.timeName();
+    io.writeHeader(os, object.type());
     object.writeData(os);
     IOobject::writeEndDivider(os);
     folder.add(object.db().dbDir()/object.local()/object.name(), os.str());

@@ -36,6 +36,7 @@ Foam::fsbi::recorder::recorder
     history_(historyOf(time, restarted), time.value())
 {
     declare();
+    history_.flush();           // readable from now on
     openSeries();
 }
 

@@ -200,9 +200,13 @@ bool Foam::fsbi::fluidMesh::generate
     const meshDistribution part(whole, rank);
     mesh_ = part.mesh.makeMesh
     (
-        // so that fvSchemes and fvSolution are read
-        IOobject("fluid", time_.timeName(), time_, IOobject::READ_IF_PRESENT)
+        IOobject("fluid", time_.timeName(), time_, IOobject::NO_READ)
     );
+    // only now: with an IOobject to be read it would take an old mesh's patches
+    mesh_->fvSchemes::readOpt() = IOobject::READ_IF_PRESENT;
+    mesh_->fvSchemes::read();
+    mesh_->fvSolution::readOpt() = IOobject::READ_IF_PRESENT;
+    mesh_->fvSolution::read();
     ++generation_;
     return true;
 }

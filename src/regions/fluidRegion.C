@@ -49,6 +49,7 @@ Foam::fsbi::fluidRegion::fluidRegion
     }
     setState();
     createOperators();
+    setGiven();             // what is wrong with it shows before the run
 }
 
 
@@ -74,24 +75,39 @@ Foam::scalar Foam::fsbi::fluidRegion::readViscosity(const Time& time)
 Foam::dictionary Foam::fsbi::fluidRegion::startDictionary() const
 {
     dictionary dict;
+    const fileName file(time_.globalPath()/time_.timeName()/"fluid"/"U");
     if (Pstream::master())
     {
-        const fileName file
-        (
-            time_.globalPath()/time_.timeName()/"fluid"/"U"
-        );
         IFstream is(file);
-        if (!is.good())
+        IOobject header("U", time_.timeName(), "fluid", time_);
+        if (!is.good() || !header.readHeader(is))
         {
             FatalErrorInFunction
-                << "The velocity field " << file << " is missing; it gives"
-                << " the boundary conditions" << exit(FatalError);
+                << "The velocity field " << file << " is missing, or has no"
+                << " header; it gives the boundary conditions"
+                << exit(FatalError);
         }
         dict = dictionary(is);
-        dict.name() = file;
     }
     Pstream::scatter(dict);
-    dict.remove("FoamFile");
+    dict.name() = file;
+
+    // values of an earlier mesh, where the condition knows better
+    for (entry& e : dict.subDict("boundaryField"))
+    {
+        const entry* value =
+            e.isDict() ? e.dict().findEntry("value") : nullptr;
+        if
+        (
+            value && value->isStream()
+         && value->stream().size()
+         && value->stream()[0] == token(word("nonuniform"))
+         && e.dict().getOrDefault<word>("type", "") != "fixedValue"
+        )
+        {
+            e.dict().remove("value");
+        }
+    }
     return dict;
 }
 
@@ -134,14 +150,16 @@ void Foam::fsbi::fluidRegion::addMeshPatches(dictionary& patches) const
     for (const polyPatch& pp : mesh().boundaryMesh())
     {
         const bool body = mesh_.isBody(pp.name());
-        if (body || (pp.coupled() && !patches.findDict(pp.name())))
+        if (body || pp.coupled())
         {
             const word type(body ? word("fixedValue") : pp.type());
             dictionary entry
             (
                 IStringStream("type " + type + "; value uniform (0 0 0);")()
             );
-            patches.set(pp.name(), entry);
+            // set() would overwrite a pattern that matches the name
+            patches.remove(pp.name());
+            patches.add(pp.name(), entry);
         }
     }
 }

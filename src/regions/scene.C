@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "scene.H"
 #include "Time.H"
+#include "untrapped.H"
 #include "IFstream.H"
 #include "HashSet.H"
 
@@ -118,6 +119,7 @@ void Foam::fsbi::scene::checkSaved
 
 bool Foam::fsbi::scene::solve()
 {
+    const untrapped scope;
     List<bodyRows> rows(bodies_.size());
     forAll(rows, b)
     {

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Compare the histories of two runs, and the fields of one time folder.
+
+    compareRuns.py case case [--tolerance 1e-10] [--fields TIME] [--only path]
+
+The difference is relative to the largest number of a table; seconds of wall
+clock are left out. Exit code 1, with the worst table, if it is larger.
+"""
+
+import argparse
+import os
+import sys
+
+import numpy as np
+
+from fsbi.history import History
+
+
+def numbers(table):
+    kept = [i for i, c in enumerate(table.columns) if c != "seconds"]
+    return table.array[:, kept]
+
+
+def difference(a, b):
+    if a.shape != b.shape:
+        sys.exit(f"{a.shape} and {b.shape} rows and columns")
+    if a.size == 0:
+        sys.exit("no rows")
+    scale = max(np.max(np.abs(a)), 1e-300)
+    worst = np.max(np.abs(a - b)) / scale
+    return worst if np.isfinite(worst) else np.inf
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("cases", nargs=2)
+    parser.add_argument("--tolerance", type=float, default=1e-10)
+    parser.add_argument("--fields", help="these must be equal to the last bit")
+    parser.add_argument("--only", default="bodies/")
+    options = parser.parse_args()
+
+    first, second = [
+        History(os.path.join(case, "postProcessing", "history.h5"))
+        for case in options.cases
+    ]
+    if first.paths() != second.paths():
+        sys.exit("the histories have other tables")
+    worst = max(
+        (difference(numbers(first[p]), numbers(second[p])), p)
+        for p in first.paths()
+        if p.startswith(options.only)
+    )
+    print(f"largest difference {worst[0]:.2e} in {worst[1]}")
+    if worst[0] > options.tolerance:
+        sys.exit(f"difference {worst[0]:.2e} in {worst[1]}")
+
+    times = first[first.paths()[0]]["time"]
+    if np.any(np.diff(times) <= 0):
+        sys.exit("rows are there twice")
+
+    for name in ("fluid/U", "fluid/p", "fluid/polyMesh/points"):
+        if options.fields:
+            bytes_ = []
+            for case in options.cases:
+                with open(os.path.join(case, options.fields, name), "rb") as f:
+                    bytes_.append(f.read())
+            if bytes_[0] != bytes_[1]:
+                sys.exit(f"{name} differs")
+
+
+main()
