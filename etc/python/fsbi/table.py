@@ -24,8 +24,9 @@ START, END = "<!-- results -->", "<!-- /results -->"
 
 
 def group(row):
-    name = VARIANT.sub("", row["quantity"]).removesuffix("_abs")
-    return name.replace("_", " ")
+    name = VARIANT.sub("", row["quantity"]).removesuffix("_abs").replace("_", " ")
+    wall = "_at_" in row["quantity"] and "wall" not in name
+    return name + " beside a wall" if wall else name
 
 
 def closeness(row):
