@@ -133,6 +133,7 @@ void Foam::fsbi::stokesOperator::setStabilisation()
             diagonal[celli] += mu_*magSqr(Sf)/(Sf & db);
         }
     }
+    diagonal_ = SubList<scalar>(diagonal, mesh_.nCells());
     stabilisation_.setSize(diagonal.size());
     forAll(mesh_.cellVolumes(), celli)
     {

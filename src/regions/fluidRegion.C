@@ -301,12 +301,7 @@ void Foam::fsbi::fluidRegion::createOperators()
     );
     linkBodies();
 
-    scalar length = cbrt(gSum(mesh().V()));
-    for (const rigidBody& body : mesh_.bodies())
-    {
-        length = min(length, body.radius());
-    }
-    solver_ = fluidSolver::New(mesh(), stokes_(), coupling, length);
+    solver_ = fluidSolver::New(mesh(), stokes_(), coupling);
 }
 
 

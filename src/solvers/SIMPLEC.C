@@ -16,13 +16,11 @@ Foam::fsbi::SIMPLEC::SIMPLEC
 (
     const fvMesh& mesh,
     const stokesOperator& stokes,
-    const dictionary& dict,
-    const scalar length
+    const dictionary& dict
 )
 :
     mesh_(mesh),
     stokes_(stokes),
-    length_(length),
     closed_(true),
     residual_(4*mesh.nCells()),
     traction_(stokes.nBoundaryFaces(), Zero)
@@ -260,14 +258,12 @@ Foam::scalar Foam::fsbi::SIMPLEC::norm
     const UList<sixVector>& v
 ) const
 {
-    const scalar perForce = sqr(1/(stokes_.mu()*length_));
-    const scalar perFlux = sqr(1/sqr(length_));
+    scalarList scaled(residual_);
+    scales_.apply(scaled.begin());
     scalar sum = 0;
-    for (label i = 0; i < mesh_.nCells(); ++i)
+    for (const scalar r : scaled)
     {
-        const scalar* r = residual_.cdata() + 4*i;
-        sum +=
-            perForce*(sqr(r[0]) + sqr(r[1]) + sqr(r[2])) + perFlux*sqr(r[3]);
+        sum += sqr(r);
     }
     reduce(sum, sumOp<scalar>());
 
@@ -279,11 +275,7 @@ Foam::scalar Foam::fsbi::SIMPLEC::norm
     {
         forAll(defects[b], k)
         {
-            const scalar scale =
-                bodies[b].free[k]
-              ? (k < 3 ? perForce : perForce/sqr(length_))
-              : (k < 3 ? 1 : sqr(length_));
-            sum += scale*sqr(defects[b][k]);
+            sum += sqr(scales_.bodies()[b][k]*defects[b][k]);
         }
     }
     return Foam::sqrt(sum);
@@ -305,6 +297,7 @@ Foam::fsbi::solverReport Foam::fsbi::SIMPLEC::solve
     SolverPerformance<vector>::debug = 0;
 
     createMatrices();
+    scales_ = rowScales(stokes_, bodies);
     List<sixVector> v(bodies.size(), sixVector(scalar(0)));
     evaluate(given, force, bodies, v, scalarList(x.size(), Zero));
     const scalar atRest = max(norm(bodies, v), VSMALL);

@@ -6,7 +6,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "coupledSystem.H"
 #include "bodyCoupling.H"
 #include "checkedDictionary.H"
-#include "mathematicalConstants.H"
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
 
@@ -18,14 +17,12 @@ Foam::fsbi::coupledSystem::coupledSystem
 (
     const fvMesh& mesh,
     const stokesOperator& stokes,
-    const dictionary& dict,
-    const scalar length
+    const dictionary& dict
 )
 :
     mesh_(mesh),
     stokes_(stokes),
     preconditioner_(mesh, stokes),
-    length_(length),
     traction_(stokes.nBoundaryFaces(), Zero),
     freshIterations_(0)
 {
@@ -128,10 +125,6 @@ Foam::fsbi::coupledSystem::readBodies(const scalar* x) const
         if (Pstream::master())
         {
             std::copy_n(x + 4*mesh_.nCells() + 6*b, 6, v[b].begin());
-            for (label k = 3; k < 6; ++k)
-            {
-                v[b][k] /= length_;
-            }
         }
         MPI_Bcast(v[b].data(), 6, MPI_DOUBLE, 0, PETSC_COMM_WORLD);
     }
@@ -145,18 +138,9 @@ void Foam::fsbi::coupledSystem::writeBodies
     scalar* x
 ) const
 {
-    if (!Pstream::master())
+    for (label b = 0; Pstream::master() && b < v.size(); ++b)
     {
-        return;
-    }
-    forAll(v, b)
-    {
-        scalar* at = x + 4*mesh_.nCells() + 6*b;
-        std::copy_n(v[b].begin(), 6, at);
-        for (label k = 3; k < 6; ++k)
-        {
-            at[k] *= length_;
-        }
+        std::copy_n(v[b].begin(), 6, x + 4*mesh_.nCells() + 6*b);
     }
 }
 
@@ -168,9 +152,6 @@ void Foam::fsbi::coupledSystem::residual
     const bool homogeneous
 ) const
 {
-    const scalar mu = stokes_.mu();
-    const label n = mesh_.nCells();
-
     if (homogeneous)
     {
         values_.faces = Zero;
@@ -184,12 +165,19 @@ void Foam::fsbi::coupledSystem::residual
     const List<sixVector> v(readBodies(x));
     setBodyVelocities(stokes_, *bodies_, v, values_);
 
-    std::copy_n(x, 4*n, state_.begin());
-    for (label i = 0; i < n; ++i)
+    stokes_.residual(x, values_, r, traction_);
+    if (!homogeneous)
     {
-        state_[4*i + 3] *= mu/length_;
+        forAll(*force_, i)
+        {
+            for (label k = 0; k < 3; ++k)
+            {
+                r[4*i + k] -= (*force_)[i][k];
+            }
+        }
     }
-    stokes_.residual(state_.cdata(), values_, r, traction_);
+    scales_.apply(r);
+
     List<sixVector> bodyR
     (
         bodyDefects
@@ -197,25 +185,11 @@ void Foam::fsbi::coupledSystem::residual
             *bodies_, v, bodyLoads(mesh_, *bodies_, traction_), homogeneous
         )
     );
-
-    const scalar perForce = 1/(mu*length_);
-    const scalar perFlux = 1/sqr(length_);
-    for (label i = 0; i < n; ++i)
-    {
-        r[4*i] *= perForce;
-        r[4*i + 1] *= perForce;
-        r[4*i + 2] *= perForce;
-        r[4*i + 3] *= perFlux;
-    }
     forAll(bodyR, b)
     {
         forAll(bodyR[b], k)
         {
-            // writeBodies() multiplies torques, and angular velocities where
-            // they are given, by the length
-            const bool free = (*bodies_)[b].free[k];
-            bodyR[b][k] *=
-               -(free ? (k < 3 ? perForce : perForce/sqr(length_)) : 1);
+            bodyR[b][k] *= -scales_.bodies()[b][k];
         }
     }
     writeBodies(bodyR, r);
@@ -261,32 +235,15 @@ void Foam::fsbi::coupledSystem::precondition
     scalar* z
 ) const
 {
-    const scalar mu = stokes_.mu();
-    const label n = mesh_.nCells();
-    const scalar force = mu*length_, flux = sqr(length_);
-
-    for (label i = 0; i < n; ++i)
-    {
-        state_[4*i] = force*r[4*i];
-        state_[4*i + 1] = force*r[4*i + 1];
-        state_[4*i + 2] = force*r[4*i + 2];
-        state_[4*i + 3] = flux*r[4*i + 3];
-    }
-
+    // bodies' rows are scaled by the inverse of a crude diagonal: only torques,
+    // which stand as velocities at the surface, change
+    scales_.undo(r, state_.begin());
     List<sixVector> v(readBodies(r));
     forAll(v, b)
     {
-        const bodyRows& body = (*bodies_)[b];
-        const scalar a = body.radius/length_;
-        const scalar pi = constant::mathematical::pi;
-        const scalar m = body.massRate/(mu*length_);
-        const scalar I = tr(body.inertiaRate)/(3*mu*pow3(length_));
-        forAll(v[b], k)
+        for (label k = 3; k < 6; ++k)
         {
-            if (body.free[k])
-            {
-                v[b][k] /= k < 3 ? 6*pi*a + m : 8*pi*pow3(a) + I;
-            }
+            v[b][k] /= (*bodies_)[b].radius;
         }
     }
     values_.faces = Zero;
@@ -308,10 +265,6 @@ void Foam::fsbi::coupledSystem::precondition
     }
 
     preconditioner_.apply(state_.cdata(), z);
-    for (label i = 0; i < n; ++i)
-    {
-        z[4*i + 3] *= length_/mu;
-    }
     writeBodies(v, z);
 }
 
@@ -326,10 +279,11 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSystem::solve
 )
 {
     const label n = mesh_.nCells();
-    const scalar mu = stokes_.mu();
     given_ = &given;
+    force_ = &force;
     bodies_ = &bodies;
     values_ = given;
+    scales_ = rowScales(stokes_, bodies);
     state_.setSize(4*n);
     result_.setSize(4*n + (Pstream::master() ? 6*bodies.size() : 0));
     if (!krylov_)
@@ -341,35 +295,22 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSystem::solve
         preconditioner_.rebuild();
     }
 
+    // right-hand side: minus the residual at rest
+    PetscScalar* rhs;
+    result_ = Zero;
+    VecGetArray(rhs_, &rhs);
+    residual(result_.cdata(), rhs, false);
+    VecRestoreArray(rhs_, &rhs);
+    petscCheck(VecScale(rhs_, -1));
+
     List<sixVector> v(bodies.size());
     forAll(v, b)
     {
         v[b] = bodies[b].velocity;
     }
-
-    // right-hand side: minus the residual at rest
     PetscScalar* values;
     VecGetArray(unknown_, &values);
-    std::fill_n(values, 4*n, PetscScalar(0));
-    writeBodies(List<sixVector>(v.size(), sixVector(scalar(0))), values);
-    PetscScalar* rhs;
-    VecGetArray(rhs_, &rhs);
-    residual(values, rhs, false);
-    for (label i = 0; i < n; ++i)
-    {
-        for (label k = 0; k < 3; ++k)
-        {
-            rhs[4*i + k] -= force[i][k]/(mu*length_);
-        }
-    }
-    VecRestoreArray(rhs_, &rhs);
-    petscCheck(VecScale(rhs_, -1));
-
     std::copy_n(x.begin(), 4*n, values);
-    for (label i = 0; i < n; ++i)
-    {
-        values[4*i + 3] *= length_/mu;
-    }
     writeBodies(v, values);
     VecRestoreArray(unknown_, &values);
 
@@ -391,10 +332,6 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSystem::solve
     residual(values, result_.data(), false);
     v = readBodies(values);
     std::copy_n(values, 4*n, x.begin());
-    for (label i = 0; i < n; ++i)
-    {
-        x[4*i + 3] *= mu/length_;
-    }
     VecRestoreArray(unknown_, &values);
     forAll(v, b)
     {

@@ -11,8 +11,7 @@ Foam::autoPtr<Foam::fsbi::fluidSolver> Foam::fsbi::fluidSolver::New
 (
     const fvMesh& mesh,
     const stokesOperator& stokes,
-    const dictionary& dict,
-    const scalar length
+    const dictionary& dict
 )
 {
     const word method
@@ -24,7 +23,7 @@ Foam::autoPtr<Foam::fsbi::fluidSolver> Foam::fsbi::fluidSolver::New
     );
     if (method == "SIMPLEC")
     {
-        return autoPtr<fluidSolver>(new SIMPLEC(mesh, stokes, dict, length));
+        return autoPtr<fluidSolver>(new SIMPLEC(mesh, stokes, dict));
     }
-    return autoPtr<fluidSolver>(new coupledSystem(mesh, stokes, dict, length));
+    return autoPtr<fluidSolver>(new coupledSystem(mesh, stokes, dict));
 }

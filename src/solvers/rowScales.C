@@ -1,0 +1,63 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "rowScales.H"
+#include "mathematicalConstants.H"
+
+Foam::fsbi::rowScales::rowScales
+(
+    const stokesOperator& stokes,
+    const UList<bodyRows>& bodies
+)
+:
+    momentum_(stokes.diagonal().size()),
+    continuity_(stokes.diagonal().size()),
+    bodies_(bodies.size())
+{
+    const scalarField& V = stokes.stencil().mesh().cellVolumes();
+    forAll(V, i)
+    {
+        momentum_[i] = 1/stokes.diagonal()[i];
+        continuity_[i] = 1/cbrt(sqr(V[i]));
+    }
+    const scalar pi = constant::mathematical::pi;
+    forAll(bodies, b)
+    {
+        const bodyRows& body = bodies[b];
+        const scalar a = body.radius;
+        const scalar drag = 6*pi*stokes.mu()*a + body.massRate;
+        const scalar spin =
+            8*pi*stokes.mu()*pow3(a) + tr(body.inertiaRate)/3;
+        for (label k = 0; k < 6; ++k)
+        {
+            bodies_[b][k] =
+                (k < 3 ? 1 : a)/(body.free[k] ? (k < 3 ? drag : spin) : 1);
+        }
+    }
+}
+
+
+void Foam::fsbi::rowScales::apply(scalar* r) const
+{
+    forAll(momentum_, i)
+    {
+        r[4*i] *= momentum_[i];
+        r[4*i + 1] *= momentum_[i];
+        r[4*i + 2] *= momentum_[i];
+        r[4*i + 3] *= continuity_[i];
+    }
+}
+
+
+void Foam::fsbi::rowScales::undo(const scalar* scaled, scalar* r) const
+{
+    forAll(momentum_, i)
+    {
+        r[4*i] = scaled[4*i]/momentum_[i];
+        r[4*i + 1] = scaled[4*i + 1]/momentum_[i];
+        r[4*i + 2] = scaled[4*i + 2]/momentum_[i];
+        r[4*i + 3] = scaled[4*i + 3]/continuity_[i];
+    }
+}
