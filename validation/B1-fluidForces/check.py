@@ -1,0 +1,158 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Compare forces and torques with exact values; write results.csv and draw."""
+
+import os
+import re
+import sys
+
+import numpy as np
+
+from fsbi import plots
+from fsbi.case import Case, cases, reference
+from fsbi.results import Results
+
+BODY, RADIUS = "tumourCell", 8
+FORCE = 6 * np.pi * RADIUS              # per velocity
+TORQUE = 8 * np.pi * RADIUS**3          # per angular velocity
+quick = sys.argv[1] == "true"
+results = Results("B1")
+
+
+def cost(run):
+    return dict(seconds=run.seconds, cells=run.cells)
+
+
+def size(run):
+    return run.cells ** (-1 / 3)
+
+
+def far_field():
+    """Drag 6 pi mu a U; iterations that do not grow; order. Cells per radius at
+    the surface: 3.6, 6, 9.5, 15."""
+    runs = cases("runs/drag*")
+    errors = []
+    bounds = [0.03, 0.01, 0.002, 0.0005]
+    for i, (run, bound) in enumerate(zip(runs, bounds)):
+        drag = run.force(BODY)[-1, 0] / (FORCE * 1.4e-4)
+        results.add(f"drag_mesh{i + 1}", drag, 1, bound, **cost(run))
+        errors.append(abs(drag - 1))
+    if quick:
+        return
+    iterations = [run.iterations[0] for run in runs]
+    growth = max(abs(n / iterations[1] - 1) for n in iterations[1:])
+    results.add("iterations_growth_from_20000_cells_abs", growth, 0, 0.2)
+    orders = plots.convergence(
+        "dragOrder.png", [size(r) for r in runs], {"drag": np.array(errors)},
+        xlabel="cells$^{-1/3}$", title="Drag in an exact Stokes far field")
+    results.at_least("drag_order", overall([size(r) for r in runs[1:]], errors[1:]), 1.8)
+    figure, axes = plots.plt.subplots()
+    axes.loglog([r.seconds for r in runs], errors, marker="o", mfc="white")
+    for run, error in zip(runs, errors):
+        axes.annotate(f"{run.cells:,}".replace(",", " "), (run.seconds, error),
+                      (6, 4), textcoords="offset points", fontsize=9)
+    axes.margins(x=0.15)
+    axes.set(xlabel="seconds, meshing and solution", ylabel="relative error of the drag")
+    axes.set_title("Work and precision (numbers: cells)", loc="left")
+    plots.save(figure, "dragWork.png")
+    return orders
+
+
+def overall(sizes, errors):
+    """Slope of a straight line through the logarithms."""
+    return np.polyfit(np.log(sizes), np.log(errors), 1)[0]
+
+
+def ball_radius(folder):
+    """Of a ball with the volume of fluid and body."""
+    with open(os.path.join(folder, "log.checkMesh")) as log:
+        volume = float(re.search(r"Total volume = ([0-9.e+]+)", log.read())[1])
+    return (3 * volume / (4 * np.pi) + RADIUS**3) ** (1 / 3)
+
+
+def shell():
+    runs = cases("runs/shell*")
+    forces, torques = [], []
+    for i, run in enumerate(runs):
+        x = RADIUS / ball_radius(run.folder)
+        drag = (1 - x**5) / (1 - 9/4*x + 5/2*x**3 - 9/4*x**5 + x**6)
+        couple = 1 / (1 - x**3)
+        force = -run.force(BODY)[-1, 0] / (FORCE * 1e-4)
+        torque = -run.torque(BODY)[-1, 2] / (TORQUE * 1e-5)
+        fine = i == 2
+        results.add(f"shell_drag_mesh{i + 1}", force, drag, 0.01 if fine else 0.03, **cost(run))
+        results.add(f"shell_torque_mesh{i + 1}", torque, couple, 0.01 if fine else 0.03,
+                    **cost(run))
+        forces.append(abs(force / drag - 1))
+        torques.append(abs(torque / couple - 1))
+    if not quick:
+        plots.convergence(
+            "shellOrder.png", [size(r) for r in runs],
+            {"drag": np.array(forces), "torque": np.array(torques)},
+            xlabel="cells$^{-1/3}$", title="Sphere in a concentric shell, b = 4 a")
+
+
+NAMES = "force_parallel", "lever_parallel", "force_normal", "torque_spin"
+
+
+def wall_values(run):
+    """Ft, torque over force and radius (of the parallel motion), Fn, Tn."""
+    force, torque = run.force(BODY)[-1], run.torque(BODY)[-1]
+    return (force[0] / (FORCE * 1e-4), torque[1] / force[0] / RADIUS,
+            -force[2] / (FORCE * 1e-4), -torque[2] / (TORQUE * 1e-5))
+
+
+def exact_wall(height):
+    """The same from the tables; nan where a table lacks the height."""
+    values = {}
+    for kind in ("Parallel", "Normal"):
+        for row in reference(f"reference/wall{kind}.csv"):
+            if abs(row["h_over_a"] - height) < 1e-4:
+                values.update(row)
+    lever = 4 / 3 * values["Tt"] / values["Ft"] if "Tt" in values else np.nan
+    return [values.get("Ft", np.nan), lever, values.get("Fn", np.nan),
+            values.get("Tn", np.nan)]
+
+
+def beside_a_wall():
+    for height in (1.1276, 1.3, 1.5430806, 3, 5):
+        folder = f"runs/wall{height!r}"
+        if not os.path.isdir(folder):
+            continue
+        run = Case(folder)
+        for name, value, exact in zip(NAMES, wall_values(run), exact_wall(height)):
+            if not np.isnan(exact):
+                wall_row(f"wall_{name}_at_{height:.4g}a", name, value, exact, run)
+    if not quick:
+        wall_order()
+
+
+def wall_row(quantity, name, value, exact, run):
+    """The torque of a parallel motion nearly vanishes: its lever arm is checked,
+    in radii."""
+    if name == "lever_parallel":
+        results.add(quantity + "_abs", value, exact, 0.005 if quick else 0.002,
+                    **cost(run))
+    else:
+        results.add(quantity, value, exact, 0.02 if quick else 0.01, **cost(run))
+
+
+def wall_order():
+    """In the edge length of the sphere's triangles; all else goes with it."""
+    runs = cases("runs/wallOrder*")
+    edges = [float(run.folder.removeprefix("runs/wallOrder")) for run in runs]
+    exact = exact_wall(1.3)
+    errors = {}
+    for k, name in ((0, "force parallel"), (2, "force normal"), (3, "torque spin")):
+        errors[name] = np.array([abs(wall_values(r)[k] / exact[k] - 1) for r in runs])
+        results.at_least(f"wall_order_{name.replace(' ', '_')}",
+                         overall(edges, errors[name]), 1.8)
+    plots.convergence(
+        "wallOrder.png", edges, errors, xlabel="edge length on the sphere / radius",
+        title="Sphere beside a wall, centre at 1.3 radii")
+
+
+far_field()
+shell()
+beside_a_wall()
+results.write()
