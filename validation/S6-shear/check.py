@@ -47,11 +47,10 @@ def far_from_walls():
 
 
 def draw_far(runs, drifts, spins):
-    size = np.array([120 * run.cells ** (-1 / 3) for run in runs])
     plots.convergence(
-        "convergence.png", size,
+        "convergence.png", [3, 2.2, 1.6, 1.15],
         {"largest drift / path": np.array(drifts), "rotation (mean error)": np.array(spins)},
-        xlabel="mean cell size, width / cells^(1/3) (µm)", ylabel="error",
+        xlabel="edge length on the cell (µm)", ylabel="error",
         title="Far from walls, 480 µm of path")
 
 
@@ -64,7 +63,7 @@ def confinement():
     for run, spin, width in zip(runs, spins, (30, 60, 120)):
         results.add(f"omega_over_halfGamma_halfWidth{width}", spin, 1,
                     0.02 if width == 30 else 0.01, seconds=run.seconds, cells=run.cells)
-    results.add("confinement_at_halfWidth60_abs", spins[1] - spins[2], 0, 2e-3)
+    results.add("confinement_halfWidth60_abs", spins[1] - spins[2], 0, 2e-3)
 
 
 def beside_a_wall():
