@@ -13,6 +13,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 void Foam::fsbi::historyFile::fail(const std::string& what) const
 {
+    rm(file_ + ".part");
     FatalErrorInFunction
         << what.c_str() << nl
         << "    History file: " << file_ << nl
@@ -36,16 +37,15 @@ void Foam::fsbi::historyFile::continueFrom(const scalar startTime)
     // truncate a copy and put it in place at once: a kill meanwhile leaves
     // the old file
     const fileName part(file_ + ".part");
-    if (!cp(file_, part))
+    if (!cp(file_, part) || fileSize(part) != fileSize(file_))
     {
-        fail("Cannot write next to the history file");
+        fail("Cannot write next to the history file: the disk is full");
     }
     {
         const hdfHandle copy = hdf::open(part);
         std::vector<std::string> paths;
         if (!copy.valid() || !hdf::datasets(copy, paths))
         {
-            rm(part);
             fail("Cannot read the existing history file: it is damaged or"
                 " no HDF5 file");
         }

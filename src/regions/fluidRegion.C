@@ -300,8 +300,17 @@ void Foam::fsbi::fluidRegion::createOperators()
         new stokesOperator(mesh(), mu_, velocityGiven(), linearFaces)
     );
     linkBodies();
+    createSolver();
+}
 
-    solver_ = fluidSolver::New(mesh(), stokes_(), coupling);
+
+void Foam::fsbi::fluidRegion::createSolver()
+{
+    solver_.clear();
+    solver_ = fluidSolver::New
+    (
+        mesh(), stokes_(), mesh().solutionDict().subOrEmptyDict("coupling")
+    );
 }
 
 

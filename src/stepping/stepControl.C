@@ -358,12 +358,14 @@ bool Foam::fsbi::stepControl::saveDue() const
     const bool discard =
         time_.controlDict().getOrDefault<word>("stopAt", "endTime")
      == "noWriteNow";
+    const bool last =
+        time_.value() > time_.endTime().value() - 0.5*time_.deltaTValue();
     return
         stop_
      || (periodicOutput()
           ? outputsUntil(time_.value()) > outputs_
           : time_.writeTime())
-     || (time_.end() && !discard);
+     || (last && !discard);
 }
 
 
