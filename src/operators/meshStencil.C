@@ -4,6 +4,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "meshStencil.H"
+#include "globalIndex.H"
+#include "Map.H"
 #include "syncTools.H"
 #include "tensor.H"
 
@@ -18,12 +20,50 @@ namespace fsbi
 static const scalar extendAbove = 10;
 static const scalar averageAbove = 100;
 
+//- Global numbers of cells and of the point that takes them, -1: around the
+//  vertex anyway
+typedef Map<label> claimMap;
+
+struct lowestClaim
+{
+    void operator()(claimMap& a, const claimMap& b) const
+    {
+        forAllConstIters(b, iter)
+        {
+            const auto own = a.find(iter.key());
+            a.set(iter.key(), own.found() ? min(*own, *iter) : *iter);
+        }
+    }
+};
+
+//- Coupled patches are translational: nothing turns
+struct noTurn
+{
+    template<class... Args>
+    void operator()(Args&&...) const
+    {}
+};
+
 //- Moments of the cells around a vertex, relative to the vertex
 struct meshStencil::moments
 {
     scalar weight = 0;
     vector mean = Zero;
+    symmTensor covariance = Zero;
+
+    //- Regularised: cells may be coplanar
     symmTensor inverseCovariance = Zero;
+
+    //- covariance^-1 mean; refined, since a regularised inverse is not exact
+    vector slope() const
+    {
+        vector s(Zero);
+        for (label i = 0; i < 3; ++i)
+        {
+            s += inverseCovariance & (mean - (covariance & s));
+        }
+        return s;
+    }
 
     //- Squared distance from the vertex to the cloud, in its own metric
     scalar outside() const
@@ -145,9 +185,9 @@ Foam::fsbi::meshStencil::vertexMoments
         moments& m = result[v];
         m.weight = weight[v];
         m.mean = first[v]/weight[v];
-        const symmTensor covariance(second[v]/weight[v] - sqr(m.mean));
-        const scalar size = magSqr(m.mean) + tr(covariance);
-        m.inverseCovariance = inv(covariance + 1e-8*size*symmTensor::I);
+        m.covariance = second[v]/weight[v] - sqr(m.mean);
+        const scalar size = magSqr(m.mean) + tr(m.covariance);
+        m.inverseCovariance = inv(m.covariance + 1e-8*size*symmTensor::I);
     }
     return result;
 }
@@ -161,9 +201,21 @@ void Foam::fsbi::meshStencil::extend
 {
     const pointField& x = mesh_.points();
     const vectorField C(centres());
+    const globalIndex globalCell(mesh_.nCells());
+    const globalIndex globalPoint(x.size());
+    scalarList number(C.size());
+    for (label i = 0; i < mesh_.nCells(); ++i)
+    {
+        number[i] = globalCell.toGlobal(i);
+    }
+    halo_.fill(number.data(), 1);
 
     // face neighbours, those behind coupled faces included
     List<DynamicList<label>> beside;
+
+    // both sides of a coupled face see the cells that a vertex there lacks:
+    // the lower point number takes them
+    List<claimMap> claims(x.size());
 
     forAll(x, v)
     {
@@ -188,13 +240,42 @@ void Foam::fsbi::meshStencil::extend
         const labelList around(cells[v]);
         for (const label celli : around)
         {
+            claims[v].set(label(number[celli]), -1);
+        }
+        for (const label celli : around)
+        {
             for (const label other : beside[celli])
             {
                 const vector d(C[other] - x[v] - m[v].mean);
-                if (mag(d & open) > 0.5*gap && !cells[v].found(other))
+                // a cell may be behind several coupled faces
+                const label n = label(number[other]);
+                if (mag(d & open) > 0.5*gap && !claims[v].found(n))
                 {
                     cells[v].append(other);
+                    claims[v].set(n, globalPoint.toGlobal(v));
                 }
+            }
+        }
+    }
+    if (!returnReduce(halo_.size(), sumOp<label>()))
+    {
+        return;
+    }
+
+    syncTools::syncPointList
+    (
+        mesh_, claims, lowestClaim(), claimMap(), noTurn()
+    );
+    forAll(x, v)
+    {
+        const labelList all(cells[v]);
+        const label nAround = mesh_.pointCells()[v].size();
+        cells[v].setSize(nAround);
+        for (label i = nAround; i < all.size(); ++i)
+        {
+            if (claims[v][label(number[all[i]])] == globalPoint.toGlobal(v))
+            {
+                cells[v].append(all[i]);
             }
         }
     }
@@ -229,7 +310,7 @@ void Foam::fsbi::meshStencil::setVertices()
         const vector slope
         (
             m[v].outside() < averageAbove
-          ? m[v].inverseCovariance & m[v].mean
+          ? m[v].slope()
           : vector::zero
         );
         label at = vertexStart_[v];
