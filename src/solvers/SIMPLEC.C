@@ -6,7 +6,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "SIMPLEC.H"
 #include "bodyCoupling.H"
 #include "checkedDictionary.H"
-#include "mathematicalConstants.H"
 #include "gaussLaplacianScheme.H"
 #include "linear.H"
 #include "zeroGradientFvPatchFields.H"
@@ -198,6 +197,31 @@ void Foam::fsbi::SIMPLEC::correctPressure(scalarList& x)
 }
 
 
+void Foam::fsbi::SIMPLEC::wallResistance
+(
+    const bodyRows& body,
+    scalar& drag,
+    scalar& torque
+) const
+{
+    drag = 0;
+    torque = 0;
+    for (const label i : body.faces)
+    {
+        const label facei = mesh_.nInternalFaces() + i;
+        const point& x = mesh_.faceCentres()[facei];
+        const vector& S = mesh_.faceAreas()[facei];
+        const vector d(x - mesh_.cellCentres()[mesh_.faceOwner()[facei]]);
+        const scalar k =
+            stokes_.mu()*stokes_.stencil().wallWeight()[i]*magSqr(S)/(d & S);
+        drag += k;
+        torque += k*2.0/3.0*magSqr(x - body.centre);
+    }
+    reduce(drag, sumOp<scalar>());
+    reduce(torque, sumOp<scalar>());
+}
+
+
 void Foam::fsbi::SIMPLEC::relaxBodies
 (
     const UList<bodyRows>& bodies,
@@ -208,22 +232,24 @@ void Foam::fsbi::SIMPLEC::relaxBodies
     (
         bodyDefects(bodies, v, bodyLoads(mesh_, bodies, traction_))
     );
-    const scalar pi = constant::mathematical::pi;
     forAll(bodies, b)
     {
         const bodyRows& body = bodies[b];
-        const scalar a = body.radius, mu = stokes_.mu();
         const scalar m = body.massRate;
         const scalar I = tr(body.inertiaRate)/3;
-        const scalar omegaV =
-            omegaImp_ > 0 ? omegaImp_ : m/(m + 6*pi*mu*a);
-        const scalar omegaW =
-            omegaImp_ > 0 ? omegaImp_ : I/(I + 8*pi*mu*pow3(a));
+        const bool given = omegaImp_ > 0 && m > 0 && I > 0;
+        scalar drag = 0, torque = 0;
+        if (!given)
+        {
+            wallResistance(body, drag, torque);
+        }
+        const scalar perForce = given ? omegaImp_/m : 1/(m + drag);
+        const scalar perTorque = given ? omegaImp_/I : 1/(I + torque);
         for (label k = 0; k < 6; ++k)
         {
             v[b][k] +=
                 body.free[k]
-              ? (k < 3 ? omegaV/m : omegaW/I)*defects[b][k]
+              ? (k < 3 ? perForce : perTorque)*defects[b][k]
               : defects[b][k];
         }
     }

@@ -1,0 +1,245 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+
+Application
+    fsbiTestSolvers
+
+Description
+    Checks of the coupled solution and of SIMPLEC on every kind of cell: orders
+    against exact Stokes flow, iterations, agreement of the methods, free
+    bodies, units.
+
+\*---------------------------------------------------------------------------*/
+
+#include "petscObjects.H"
+#include "problem.H"
+#include "checks.H"
+#include "testMeshes.H"
+#include "argList.H"
+
+using namespace Foam;
+using namespace Foam::fsbi;
+
+static const boundBox cube(point(-1, -1, -1), point(1, 1, 1));
+static const boundBox wide(point(-3, -3, -3), point(3, 3, 3));
+
+//- Smooth in the cube: the sphere is outside
+static const movingSphere smooth
+{
+    point(-2.2, -1.9, -2), 1, vector(1, 0.5, -0.3), 1.7
+};
+
+//- The sphere in the middle of the wide box
+static const movingSphere inside{point(0, 0, 0), 1, vector(0.6, -0.2, 0.7), 1.7};
+
+
+static void checkOrders(checks& c)
+{
+    // iterations of a sound preconditioner, to 1e-8, at most
+    const scalar most[] = {48, 48, 58, 48};
+    const testMeshes meshes(cube);
+    const wordList kinds(testMeshes::kinds());
+    forAll(kinds, k)
+    {
+        const word& kind = kinds[k];
+        scalar u[2], p[2], h[2];
+        label its[2];
+        for (label level = 0; level < 2; ++level)
+        {
+            autoPtr<fvMesh> mesh(meshes.mesh(kind, level ? 16 : 8));
+            problem flow(mesh(), smooth);
+            flow.solve("tolerance 1e-8;");
+            c.check
+            (
+                kind + (level ? ", fine" : ", coarse") + ": converged",
+                flow.report.converged
+            );
+            flow.errors(u[level], p[level]);
+            its[level] = flow.report.iterations;
+            h[level] = 1/Foam::cbrt(scalar(mesh->nCells()));
+            Info<< "    " << kind << ", " << mesh->nCells() << " cells: "
+                << its[level] << " iterations, errors: velocity " << u[level]
+                << ", pressure " << p[level] << endl;
+        }
+        const scalar spacing = Foam::log(h[0]/h[1]);
+        const scalar ofU = Foam::log(u[0]/u[1])/spacing;
+        const scalar ofP = Foam::log(p[0]/p[1])/spacing;
+        Info<< "    " << kind << ": order of velocity " << ofU
+            << ", of pressure " << ofP << endl;
+        // warped faces cost a little
+        const bool warped = kind == "perturbed" || kind == "polyhedra";
+        c.check
+        (
+            kind + ": order of the velocity", ofU > (warped ? 1.7 : 1.8),
+            name(ofU)
+        );
+        c.check
+        (
+            kind + ": order of the pressure", ofP > (warped ? 0.6 : 0.9),
+            name(ofP)
+        );
+        c.checkBelow(kind + ": error of the velocity", u[1], 0.01);
+        c.checkBelow(kind + ": iterations", its[1], most[k]);
+        c.check
+        (
+            kind + ": iterations are flat", its[1] < 1.25*its[0],
+            name(its[0]) + " and " + name(its[1])
+        );
+    }
+}
+
+
+static void checkMethods(checks& c)
+{
+    const testMeshes box(cube), room(wide);
+    for (const word& kind : testMeshes::kinds())
+    {
+        const bool sphere = kind == "tetrahedra" || kind == "polyhedra";
+        autoPtr<fvMesh> mesh
+        (
+            sphere ? room.mesh(kind, 6, 0.4) : box.mesh(kind, 8)
+        );
+        problem a(mesh(), sphere ? inside : smooth);
+        problem b(mesh(), sphere ? inside : smooth);
+        a.solve("tolerance 1e-8;");
+        b.solve("method SIMPLEC; tolerance 1e-8;");
+        Info<< "    " << kind << ", " << mesh->nCells() << " cells: coupled "
+            << a.report.iterations << ", SIMPLEC " << b.report.iterations
+            << " iterations, difference " << a.difference(b) << endl;
+        c.check(kind + ": coupled converges", a.report.converged);
+        c.check(kind + ": SIMPLEC converges", b.report.converged);
+        c.checkBelow
+        (
+            kind + ": coupled and SIMPLEC agree", a.difference(b), 1e-5
+        );
+        c.checkBelow(kind + ": SIMPLEC's iterations", b.report.iterations, 400);
+        forAll(a.bodies, i)
+        {
+            const vector V(linear(a.bodies[i].velocity));
+            c.checkBelow
+            (
+                kind + ": the free body moves alike",
+                mag(V - linear(b.bodies[i].velocity))/mag(V), 1e-5
+            );
+        }
+    }
+}
+
+
+static void checkFreeBody(checks& c)
+{
+    const testMeshes room(wide);
+    for (const word kind : {"tetrahedra", "polyhedra"})
+    {
+        autoPtr<fvMesh> mesh(room.mesh(kind, 6, 0.3));
+        problem free(mesh(), inside);
+        free.solve("tolerance 1e-7;");
+
+        // the fluid's share of the walls balances what is put in
+        const sixVector load(free.load());
+        c.checkBelow
+        (
+            kind + ": force balance of a free body",
+            mag(linear(load) + inside.force())/mag(inside.force()), 1e-5
+        );
+        c.checkBelow
+        (
+            kind + ": torque balance of a free body",
+            mag(angular(load))/mag(inside.force()), 1e-5
+        );
+        const vector V(linear(free.bodies[0].velocity));
+        const scalar bound = kind == "tetrahedra" ? 0.02 : 0.06;
+        Info<< "    " << kind << ", " << mesh->nCells() << " cells: V/exact "
+            << (V & inside.velocity)/magSqr(inside.velocity)
+            << ", omega " << mag(angular(free.bodies[0].velocity)) << endl;
+        c.checkBelow
+        (
+            kind + ": V = F/(6 pi mu a)",
+            mag(V - inside.velocity)/mag(inside.velocity), bound
+        );
+        c.checkBelow
+        (
+            kind + ": it does not turn",
+            mag(angular(free.bodies[0].velocity))/mag(V), 0.01
+        );
+
+        problem fixed(mesh(), inside);
+        fixed.bodies[0].free = false;
+        fixed.bodies[0].velocity = free.bodies[0].velocity;
+        fixed.solve("tolerance 1e-7;");
+        c.checkBelow
+        (
+            kind + ": moved with that velocity it meets that force",
+            mag(linear(fixed.load()) + inside.force())/mag(inside.force()), 1e-4
+        );
+        Info<< "    " << kind << ": " << free.report.iterations
+            << " iterations free, " << fixed.report.iterations << " given"
+            << endl;
+        c.check
+        (
+            kind + ": iterations of a free body",
+            free.report.iterations <= 1.3*fixed.report.iterations + 1,
+            name(free.report.iterations) + " against "
+          + name(fixed.report.iterations)
+        );
+
+        problem heavy(mesh(), inside);
+        const scalar m = 40;
+        heavy.bodies[0].massRate = m;
+        heavy.bodies[0].inertiaRate = 16*tensor::I;
+        heavy.solve("tolerance 1e-7;");
+        const sixVector v(heavy.bodies[0].velocity);
+        c.checkBelow
+        (
+            kind + ": inertia is balanced",
+            mag(linear(heavy.load()) + inside.force() - m*linear(v))
+           /mag(inside.force()), 1e-5
+        );
+    }
+}
+
+
+static void checkUnits(checks& c)
+{
+    const testMeshes room(wide);
+    const meshLists lists(room.lists("tetrahedra", 6, 0.4));
+    const auto run = [&](const scalar L, const scalar U, const scalar mu)
+    {
+        autoPtr<fvMesh> mesh(room.scaled(lists, L));
+        problem flow(mesh(), movingSphere{Zero, L, U*inside.velocity, mu});
+        flow.solve("tolerance 1e-7;");
+        return Tuple2<label, vector>
+        (
+            flow.report.iterations, linear(flow.bodies[0].velocity)/U
+        );
+    };
+    const auto microvascular = run(8, 1e-4, 1);
+    const auto SI = run(8e-6, 1e-4, 1e-3);
+    c.check
+    (
+        "SI and microvascular units: iterations",
+        mag(microvascular.first() - SI.first()) <= 1,
+        name(microvascular.first()) + " and " + name(SI.first())
+    );
+    c.checkBelow
+    (
+        "SI and microvascular units: answer",
+        mag(microvascular.second() - SI.second()), 1e-7
+    );
+}
+
+
+int main(int argc, char *argv[])
+{
+    argList::noBanner();
+    argList::noCheckProcessorDirectories();
+    argList args(argc, argv, false, false, true);
+    petscSession petsc;
+    checks c;
+    checkOrders(c);
+    checkMethods(c);
+    checkFreeBody(c);
+    checkUnits(c);
+    return c.finish();
+}
