@@ -50,6 +50,7 @@ Foam::fsbi::rigidBody::rigidBody
     inertia_(Zero),
     oldStep_(0),
     step_(0),
+    accepted_(0),
     solved_(false)
 {
     const checkedDictionary entries(dict);
@@ -233,7 +234,7 @@ void Foam::fsbi::rigidBody::advance(const scalar dt)
 {
     step_ = dt;
     sixVector mean(old_.velocity);
-    if (hasHistory())
+    if (accepted_ > 1)
     {
         const scalar r = 0.5*dt/oldStep_;
         forAll(mean, k)
@@ -241,7 +242,7 @@ void Foam::fsbi::rigidBody::advance(const scalar dt)
             mean[k] += r*(old_.velocity[k] - older_.velocity[k]);
         }
     }
-    else if (solved_)
+    else if (!hasHistory() && solved_)
     {
         mean = now_.velocity;
     }
@@ -261,6 +262,44 @@ Foam::fsbi::sixVector Foam::fsbi::rigidBody::applied(const scalar time) const
 }
 
 
+void Foam::fsbi::rigidBody::addInertia(bodyRows& rows) const
+{
+    const FixedList<scalar, 3> c(weights());
+    const tensor R(rotation());
+    rows.massRate = c[0]*mass_/step_;
+    rows.inertiaRate = (c[0]/step_)*(R & inertia_ & R.T());
+    const sixVector p(momentum(old_)), q(momentum(older_));
+    forAll(rows.rhs, k)
+    {
+        rows.rhs[k] -= (c[1]*p[k] + c[2]*q[k])/step_;
+    }
+}
+
+
+Foam::fsbi::sixVector Foam::fsbi::rigidBody::explicitVelocity
+(
+    const scalar time
+) const
+{
+    if (!hasHistory() && !solved_)
+    {
+        return old_.velocity;           // its load is not known yet
+    }
+    const tensor R(old_.orientation.R());
+    const sixVector& f = old_.load;
+    const sixVector g(applied(time - step_));
+    const vector V
+    (
+        linear(old_.velocity) + step_/mass_*(linear(f) + linear(g))
+    );
+    const vector L
+    (
+        angular(momentum(old_)) + step_*(angular(f) + angular(g))
+    );
+    return join(V, inv(R & inertia_ & R.T()) & L);
+}
+
+
 Foam::fsbi::bodyRows Foam::fsbi::rigidBody::rows(const scalar time) const
 {
     bodyRows rows;
@@ -274,33 +313,11 @@ Foam::fsbi::bodyRows Foam::fsbi::rigidBody::rows(const scalar time) const
 
     if (!overdamped_ && step_ > 0)
     {
-        const FixedList<scalar, 3> c(weights());
-        const tensor R(rotation());
-        rows.massRate = c[0]*mass_/step_;
-        rows.inertiaRate = (c[0]/step_)*(R & inertia_ & R.T());
-        const sixVector p(momentum(old_)), q(momentum(older_));
-        forAll(rows.rhs, k)
-        {
-            rows.rhs[k] -= (c[1]*p[k] + c[2]*q[k])/step_;
-        }
+        addInertia(rows);
     }
-
     if (integrator_ == "explicitEuler" && step_ > 0)
     {
-        // velocity from the loads at the beginning of the step [3.9]
-        const tensor R(old_.orientation.R());
-        const sixVector f(applied(time - step_));
-        const vector V
-        (
-            linear(old_.velocity)
-          + step_/mass_*(linear(old_.load) + linear(f))
-        );
-        const vector L
-        (
-            angular(momentum(old_))
-          + step_*(angular(old_.load) + angular(f))
-        );
-        rows.velocity = join(V, inv(R & inertia_ & R.T()) & L);
+        rows.velocity = explicitVelocity(time);
         rows.free = FixedList<bool, 6>(false);
     }
 
@@ -323,6 +340,10 @@ void Foam::fsbi::rigidBody::set
     const sixVector& load
 )
 {
+    if (!hasHistory() && !solved_)
+    {
+        old_.load = load;               // of the start, for explicitEuler
+    }
     now_.velocity = velocity;
     now_.load = load;
     solved_ = true;
@@ -347,6 +368,7 @@ void Foam::fsbi::rigidBody::endStep()
 {
     older_ = old_;
     oldStep_ = step_;
+    ++accepted_;
 }
 
 
@@ -367,6 +389,7 @@ void Foam::fsbi::rigidBody::save(dictionary& dict) const
     write("older", older_);
     dict.set("start", start_);
     dict.set("step", oldStep_);
+    dict.set("accepted", accepted_);
     dict.set("shape", shape_);
     dict.set("points", surface_.points());
     dict.set("triangles", surface_.triangles());
@@ -391,6 +414,7 @@ void Foam::fsbi::rigidBody::restore(const dictionary& dict)
     old_ = now_;
     start_ = dict.get<point>("start");
     oldStep_ = dict.get<scalar>("step");
+    accepted_ = dict.get<label>("accepted");
     surface_ = bodySurface
     (
         dict.get<pointField>("points"), dict.get<List<triFace>>("triangles")
