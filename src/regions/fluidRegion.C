@@ -5,25 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fluidRegion.H"
 #include "tractionFvPatchVectorField.H"
-#include "velocityProfile.H"
-#include "IFstream.H"
-#include "IStringStream.H"
-#include "OStringStream.H"
-#include "PrimitivePatchInterpolation.H"
 #include "syncTools.H"
-
-namespace Foam
-{
-namespace fsbi
-{
-
-//- Net flux over the gross one that is a rounding of profiles on faces, to be
-//  spread out, rather than a mistake
-static const scalar acceptedImbalance = 0.01;
-
-} // End namespace fsbi
-} // End namespace Foam
-
 
 Foam::fsbi::fluidRegion::fluidRegion
 (
@@ -36,7 +18,8 @@ Foam::fsbi::fluidRegion::fluidRegion
     time_(time),
     timings_(t),
     mu_(readViscosity(time)),
-    mesh_(time, bodies, t, savedMesh)
+    mesh_(time, bodies, t, savedMesh),
+    conditions_(time, mesh_)
 {
     if (savedMesh.size())
     {
@@ -44,12 +27,12 @@ Foam::fsbi::fluidRegion::fluidRegion
     }
     else
     {
-        boundaryConditions_ = startDictionary();
+        conditions_.read();
         createFields();
     }
     setState();
     createOperators();
-    setGiven();             // what is wrong with it shows before the run
+    conditions_.evaluate(U_(), stokes_(), given_);      // mistakes show now
 }
 
 
@@ -72,99 +55,6 @@ Foam::scalar Foam::fsbi::fluidRegion::readViscosity(const Time& time)
 }
 
 
-Foam::dictionary Foam::fsbi::fluidRegion::startDictionary() const
-{
-    dictionary dict;
-    const fileName file(time_.globalPath()/time_.timeName()/"fluid"/"U");
-    if (Pstream::master())
-    {
-        IFstream is(file);
-        IOobject header("U", time_.timeName(), "fluid", time_);
-        if (!is.good() || !header.readHeader(is))
-        {
-            FatalErrorInFunction
-                << "The velocity field " << file << " is missing, or has no"
-                << " header; it gives the boundary conditions"
-                << exit(FatalError);
-        }
-        dict = dictionary(is);
-    }
-    Pstream::scatter(dict);
-    dict.name() = file;
-
-    // values of an earlier mesh, where the condition knows better
-    for (entry& e : dict.subDict("boundaryField"))
-    {
-        const entry* value =
-            e.isDict() ? e.dict().findEntry("value") : nullptr;
-        if
-        (
-            value && value->isStream()
-         && value->stream().size()
-         && value->stream()[0] == token(word("nonuniform"))
-         && e.dict().getOrDefault<word>("type", "") != "fixedValue"
-        )
-        {
-            e.dict().remove("value");
-        }
-    }
-    return dict;
-}
-
-
-Foam::dictionary Foam::fsbi::fluidRegion::presentDictionary() const
-{
-    dictionary patches;
-    for (const fvPatchVectorField& pf : U_().boundaryField())
-    {
-        if (pf.coupled() || mesh_.isBody(pf.patch().name()))
-        {
-            continue;
-        }
-        OStringStream os;
-        os.precision(17);
-        pf.write(os);
-        dictionary entry(IStringStream(os.str())());
-        entry.remove("value");
-        if (pf.type() == fixedValueFvPatchVectorField::typeName)
-        {
-            // a plain value lasts through remeshing where it is uniform
-            OStringStream value;
-            value.precision(17);
-            value << "value uniform " << gAverage(pf) << ";";
-            entry.read(IStringStream(value.str())(), false);
-        }
-        patches.set(pf.patch().name(), entry);
-    }
-    dictionary dict
-    (
-        IStringStream("dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0);")()
-    );
-    dict.set("boundaryField", patches);
-    return dict;
-}
-
-
-void Foam::fsbi::fluidRegion::addMeshPatches(dictionary& patches) const
-{
-    for (const polyPatch& pp : mesh().boundaryMesh())
-    {
-        const bool body = mesh_.isBody(pp.name());
-        if (body || pp.coupled())
-        {
-            const word type(body ? word("fixedValue") : pp.type());
-            dictionary entry
-            (
-                IStringStream("type " + type + "; value uniform (0 0 0);")()
-            );
-            // set() would overwrite a pattern that matches the name
-            patches.remove(pp.name());
-            patches.add(pp.name(), entry);
-        }
-    }
-}
-
-
 void Foam::fsbi::fluidRegion::readFields()
 {
     IOobject io
@@ -175,16 +65,14 @@ void Foam::fsbi::fluidRegion::readFields()
     U_.reset(new volVectorField(io, mesh()));
     io.rename("p");
     p_.reset(new volScalarField(io, mesh()));
-    boundaryConditions_ = presentDictionary();
+    conditions_.keep(U_());
 }
 
 
 void Foam::fsbi::fluidRegion::createFields()
 {
     IOobject io("U", time_.timeName(), mesh());
-    dictionary dict(boundaryConditions_);
-    addMeshPatches(dict.subDict("boundaryField"));
-    U_.reset(new volVectorField(io, mesh(), dict));
+    U_.reset(new volVectorField(io, mesh(), conditions_.fieldDictionary()));
     io.rename("p");
     p_.reset
     (
@@ -199,7 +87,6 @@ void Foam::fsbi::fluidRegion::createFields()
 
 void Foam::fsbi::fluidRegion::setState()
 {
-    checkPatches();
     x_.setSize(4*mesh().nCells());
     forAll(U_(), i)
     {
@@ -209,47 +96,6 @@ void Foam::fsbi::fluidRegion::setState()
         x_[4*i + 2] = u.z();
         x_[4*i + 3] = p_()[i];
     }
-}
-
-
-void Foam::fsbi::fluidRegion::checkPatches() const
-{
-    for (const fvPatchVectorField& pf : U_().boundaryField())
-    {
-        if (!pf.fixesValue() && !pf.coupled())
-        {
-            FatalErrorInFunction
-                << "Patch '" << pf.patch().name() << "' of field U in region"
-                << " fluid has the boundary condition '" << pf.type()
-                << "'; give a velocity (fixedValue, uniformFixedValue,"
-                << " linearShear, Poiseuille, StokesSphere), 'traction' or"
-                << " 'cyclic'" << exit(FatalError);
-        }
-    }
-}
-
-
-Foam::boolList Foam::fsbi::fluidRegion::velocityGiven() const
-{
-    boolList given(mesh().nFaces() - mesh().nInternalFaces(), false);
-    bool any = false;
-    for (const fvPatchVectorField& pf : U_().boundaryField())
-    {
-        const fvPatch& patch = pf.patch();
-        const label start = patch.start() - mesh().nInternalFaces();
-        if (!patch.coupled() && !isA<tractionFvPatchVectorField>(pf))
-        {
-            any = true;
-            SubList<bool>(given, patch.size(), start) = true;
-        }
-    }
-    if (!any)
-    {
-        FatalErrorInFunction
-            << "No patch of field U in region fluid gives a velocity:"
-            << " the flow is not determined" << exit(FatalError);
-    }
-    return given;
 }
 
 
@@ -297,7 +143,10 @@ void Foam::fsbi::fluidRegion::createOperators()
         ) == "linear";
     stokes_.reset
     (
-        new stokesOperator(mesh(), mu_, velocityGiven(), linearFaces)
+        new stokesOperator
+        (
+            mesh(), mu_, conditions_.velocityGiven(U_()), linearFaces
+        )
     );
     linkBodies();
     createSolver();
@@ -374,119 +223,6 @@ bool Foam::fsbi::fluidRegion::follow(string& reason)
 }
 
 
-void Foam::fsbi::fluidRegion::setGiven()
-{
-    given_.faces.setSize(stokes_->nBoundaryFaces());
-    given_.faces = Zero;
-    U_->boundaryFieldRef().updateCoeffs();
-    for (const fvPatchVectorField& pf : U_().boundaryField())
-    {
-        if (pf.coupled())
-        {
-            continue;
-        }
-        const label start = pf.patch().start() - mesh().nInternalFaces();
-        SubField<vector> values(given_.faces, pf.size(), start);
-        if (isA<tractionFvPatchVectorField>(pf))
-        {
-            values = refCast<const tractionFvPatchVectorField>(pf).traction();
-        }
-        else if (!mesh_.isBody(pf.patch().name()))
-        {
-            values = pf;
-        }
-    }
-    setGivenVertices();
-    balanceFluxes();
-}
-
-
-void Foam::fsbi::fluidRegion::setGivenVertices()
-{
-    vectorField sum(mesh().nPoints(), Zero);
-    scalarField count(mesh().nPoints(), Zero);
-    for (const fvPatchVectorField& pf : U_().boundaryField())
-    {
-        const polyPatch& pp = pf.patch().patch();
-        if (pf.coupled() || isA<tractionFvPatchVectorField>(pf))
-        {
-            continue;
-        }
-        const auto* profile = isA<velocityProfile>(pf);
-        vectorField u(pp.nPoints(), Zero);
-        if (profile)
-        {
-            u = profile->velocityAt(pp.localPoints(), time_.value());
-        }
-        else if (!mesh_.isBody(pp.name()))
-        {
-            u = PrimitivePatchInterpolation<primitivePatch>(pp)
-               .faceToPointInterpolate(static_cast<const vectorField&>(pf));
-        }
-        forAll(u, i)
-        {
-            sum[pp.meshPoints()[i]] += u[i];
-            count[pp.meshPoints()[i]] += 1;
-        }
-    }
-    syncTools::syncPointList(mesh(), sum, plusEqOp<vector>(), vector::zero);
-    syncTools::syncPointList(mesh(), count, plusEqOp<scalar>(), scalar(0));
-
-    const labelList& wall = stokes_->wallVertices();
-    given_.vertices.setSize(wall.size());
-    forAll(wall, i)
-    {
-        given_.vertices[i] = sum[wall[i]]/max(count[wall[i]], scalar(1));
-    }
-}
-
-
-void Foam::fsbi::fluidRegion::balanceFluxes()
-{
-    const boolList& velocityGiven = stokes_->velocityGiven();
-    scalar net = 0, gross = 0;
-    bool open = false;
-    for (const polyPatch& pp : mesh().boundaryMesh())
-    {
-        const label start = pp.start() - mesh().nInternalFaces();
-        for (label i = start; !pp.coupled() && i < start + pp.size(); ++i)
-        {
-            open |= !velocityGiven[i];
-            const scalar flux =
-                given_.faces[i]
-              & mesh().faceAreas()[mesh().nInternalFaces() + i];
-            net += flux;
-            gross += mag(flux);
-        }
-    }
-    reduce(open, orOp<bool>());
-    reduce(net, sumOp<scalar>());
-    reduce(gross, sumOp<scalar>());
-    if (open || gross < VSMALL)
-    {
-        return;
-    }
-    if (mag(net) > acceptedImbalance*gross)
-    {
-        FatalErrorInFunction
-            << "The velocities given on the boundary of region fluid do not"
-            << " balance: net outflow " << net << " of " << gross
-            << ". Correct field U, or give one patch the condition 'traction'"
-            << exit(FatalError);
-    }
-    forAll(given_.faces, i)
-    {
-        if (velocityGiven[i])
-        {
-            const vector& S =
-                mesh().faceAreas()[mesh().nInternalFaces() + i];
-            const scalar share = mag(given_.faces[i] & S)/gross;
-            given_.faces[i] -= net*share*S/magSqr(S);
-        }
-    }
-}
-
-
 Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
 (
     UList<bodyRows>& rows,
@@ -499,7 +235,7 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
         rows[b].faces = bodyFaces_[b];
         rows[b].vertices = bodyVertices_[b];
     }
-    setGiven();
+    conditions_.evaluate(U_(), stokes_(), given_);
 
     solverReport report
     (

@@ -1,0 +1,309 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "flowConditions.H"
+#include "tractionFvPatchVectorField.H"
+#include "velocityProfile.H"
+#include "IFstream.H"
+#include "IStringStream.H"
+#include "OStringStream.H"
+#include "PrimitivePatchInterpolation.H"
+#include "syncTools.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Net flux over the gross one that is a rounding of profiles on faces, to be
+//  spread out, rather than a mistake
+static const scalar acceptedImbalance = 0.01;
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::fsbi::flowConditions::flowConditions
+(
+    const Time& time,
+    const fluidMesh& mesh
+)
+:
+    time_(time),
+    mesh_(mesh)
+{}
+
+
+void Foam::fsbi::flowConditions::read()
+{
+    dictionary dict;
+    const fileName file(time_.globalPath()/time_.timeName()/"fluid"/"U");
+    if (Pstream::master())
+    {
+        IFstream is(file);
+        IOobject header("U", time_.timeName(), "fluid", time_);
+        if (!is.good() || !header.readHeader(is))
+        {
+            FatalErrorInFunction
+                << "The velocity field " << file << " is missing, or has no"
+                << " header; it gives the boundary conditions"
+                << exit(FatalError);
+        }
+        dict = dictionary(is);
+    }
+    Pstream::scatter(dict);
+    dict.name() = file;
+
+    // values of an earlier mesh, where the condition knows better
+    for (entry& e : dict.subDict("boundaryField"))
+    {
+        const entry* value =
+            e.isDict() ? e.dict().findEntry("value") : nullptr;
+        if
+        (
+            value && value->isStream()
+         && value->stream().size()
+         && value->stream()[0] == token(word("nonuniform"))
+         && e.dict().getOrDefault<word>("type", "") != "fixedValue"
+        )
+        {
+            e.dict().remove("value");
+        }
+    }
+    conditions_ = dict;
+}
+
+
+void Foam::fsbi::flowConditions::keep(const volVectorField& U)
+{
+    dictionary patches;
+    for (const fvPatchVectorField& pf : U.boundaryField())
+    {
+        if (pf.coupled() || mesh_.isBody(pf.patch().name()))
+        {
+            continue;
+        }
+        OStringStream os;
+        os.precision(17);
+        pf.write(os);
+        dictionary entry(IStringStream(os.str())());
+        entry.remove("value");
+        if (pf.type() == fixedValueFvPatchVectorField::typeName)
+        {
+            // a plain value lasts through remeshing where it is uniform
+            OStringStream value;
+            value.precision(17);
+            value << "value uniform " << gAverage(pf) << ";";
+            entry.read(IStringStream(value.str())(), false);
+        }
+        patches.set(pf.patch().name(), entry);
+    }
+    dictionary dict
+    (
+        IStringStream("dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0);")()
+    );
+    dict.set("boundaryField", patches);
+    conditions_ = dict;
+}
+
+
+Foam::dictionary Foam::fsbi::flowConditions::fieldDictionary() const
+{
+    dictionary dict(conditions_);
+    addMeshPatches(dict.subDict("boundaryField"));
+    return dict;
+}
+
+
+void Foam::fsbi::flowConditions::addMeshPatches(dictionary& patches) const
+{
+    for (const polyPatch& pp : mesh_.mesh().boundaryMesh())
+    {
+        const bool body = mesh_.isBody(pp.name());
+        if (body || pp.coupled())
+        {
+            const word type(body ? word("fixedValue") : pp.type());
+            dictionary entry
+            (
+                IStringStream("type " + type + "; value uniform (0 0 0);")()
+            );
+            // set() would overwrite a pattern that matches the name
+            patches.remove(pp.name());
+            patches.add(pp.name(), entry);
+        }
+    }
+}
+
+
+void Foam::fsbi::flowConditions::check(const volVectorField& U)
+{
+    for (const fvPatchVectorField& pf : U.boundaryField())
+    {
+        if (!pf.fixesValue() && !pf.coupled())
+        {
+            FatalErrorInFunction
+                << "Patch '" << pf.patch().name() << "' of field U in region"
+                << " fluid has the boundary condition '" << pf.type()
+                << "'; give a velocity (fixedValue, uniformFixedValue,"
+                << " linearShear, Poiseuille, StokesSphere), 'traction' or"
+                << " 'cyclic'" << exit(FatalError);
+        }
+    }
+}
+
+
+Foam::boolList Foam::fsbi::flowConditions::velocityGiven
+(
+    const volVectorField& U
+) const
+{
+    check(U);
+    boolList given(mesh_.mesh().nFaces() - mesh_.mesh().nInternalFaces(), false);
+    bool any = false;
+    for (const fvPatchVectorField& pf : U.boundaryField())
+    {
+        const fvPatch& patch = pf.patch();
+        const label start = patch.start() - mesh_.mesh().nInternalFaces();
+        if (!patch.coupled() && !isA<tractionFvPatchVectorField>(pf))
+        {
+            any = true;
+            SubList<bool>(given, patch.size(), start) = true;
+        }
+    }
+    if (!any)
+    {
+        FatalErrorInFunction
+            << "No patch of field U in region fluid gives a velocity:"
+            << " the flow is not determined" << exit(FatalError);
+    }
+    return given;
+}
+
+
+void Foam::fsbi::flowConditions::evaluate
+(
+    volVectorField& U,
+    const stokesOperator& stokes,
+    boundaryValues& given
+) const
+{
+    given.faces.setSize(stokes.nBoundaryFaces());
+    given.faces = Zero;
+    U.boundaryFieldRef().updateCoeffs();
+    for (const fvPatchVectorField& pf : U.boundaryField())
+    {
+        if (pf.coupled())
+        {
+            continue;
+        }
+        const label start = pf.patch().start() - mesh_.mesh().nInternalFaces();
+        SubField<vector> values(given.faces, pf.size(), start);
+        if (isA<tractionFvPatchVectorField>(pf))
+        {
+            values = refCast<const tractionFvPatchVectorField>(pf).traction();
+        }
+        else if (!mesh_.isBody(pf.patch().name()))
+        {
+            values = pf;
+        }
+    }
+    setVertices(U, stokes, given);
+    balanceFluxes(stokes, given);
+}
+
+
+void Foam::fsbi::flowConditions::setVertices
+(
+    const volVectorField& U,
+    const stokesOperator& stokes,
+    boundaryValues& given
+) const
+{
+    vectorField sum(mesh_.mesh().nPoints(), Zero);
+    scalarField count(mesh_.mesh().nPoints(), Zero);
+    for (const fvPatchVectorField& pf : U.boundaryField())
+    {
+        const polyPatch& pp = pf.patch().patch();
+        if (pf.coupled() || isA<tractionFvPatchVectorField>(pf))
+        {
+            continue;
+        }
+        const auto* profile = isA<velocityProfile>(pf);
+        vectorField u(pp.nPoints(), Zero);
+        if (profile)
+        {
+            u = profile->velocityAt(pp.localPoints(), time_.value());
+        }
+        else if (!mesh_.isBody(pp.name()))
+        {
+            u = PrimitivePatchInterpolation<primitivePatch>(pp)
+               .faceToPointInterpolate(static_cast<const vectorField&>(pf));
+        }
+        forAll(u, i)
+        {
+            sum[pp.meshPoints()[i]] += u[i];
+            count[pp.meshPoints()[i]] += 1;
+        }
+    }
+    syncTools::syncPointList(mesh_.mesh(), sum, plusEqOp<vector>(), vector::zero);
+    syncTools::syncPointList(mesh_.mesh(), count, plusEqOp<scalar>(), scalar(0));
+
+    const labelList& wall = stokes.wallVertices();
+    given.vertices.setSize(wall.size());
+    forAll(wall, i)
+    {
+        given.vertices[i] = sum[wall[i]]/max(count[wall[i]], scalar(1));
+    }
+}
+
+
+void Foam::fsbi::flowConditions::balanceFluxes
+(
+    const stokesOperator& stokes,
+    boundaryValues& given
+) const
+{
+    const boolList& velocityGiven = stokes.velocityGiven();
+    scalar net = 0, gross = 0;
+    bool open = false;
+    for (const polyPatch& pp : mesh_.mesh().boundaryMesh())
+    {
+        const label start = pp.start() - mesh_.mesh().nInternalFaces();
+        for (label i = start; !pp.coupled() && i < start + pp.size(); ++i)
+        {
+            open |= !velocityGiven[i];
+            const scalar flux =
+                given.faces[i]
+              & mesh_.mesh().faceAreas()[mesh_.mesh().nInternalFaces() + i];
+            net += flux;
+            gross += mag(flux);
+        }
+    }
+    reduce(open, orOp<bool>());
+    reduce(net, sumOp<scalar>());
+    reduce(gross, sumOp<scalar>());
+    if (open || gross < VSMALL)
+    {
+        return;
+    }
+    if (mag(net) > acceptedImbalance*gross)
+    {
+        FatalErrorInFunction
+            << "The velocities given on the boundary of region fluid do not"
+            << " balance: net outflow " << net << " of " << gross
+            << ". Correct field U, or give one patch the condition 'traction'"
+            << exit(FatalError);
+    }
+    forAll(given.faces, i)
+    {
+        if (velocityGiven[i])
+        {
+            const vector& S =
+                mesh_.mesh().faceAreas()[mesh_.mesh().nInternalFaces() + i];
+            const scalar share = mag(given.faces[i] & S)/gross;
+            given.faces[i] -= net*share*S/magSqr(S);
+        }
+    }
+}
