@@ -14,6 +14,9 @@ namespace Foam
 namespace fsbi
 {
 
+//- Moment of a face that counts as plane, over its area^1.5
+static const scalar planeBelow = 1e-9;
+
 //- How far outside the cloud of its cells, in its own standard deviations
 //  squared, a vertex may lie before more cells are asked for, and before the
 //  plane is given up for the mean
@@ -88,6 +91,7 @@ Foam::fsbi::meshStencil::meshStencil(const fvMesh& mesh)
 void Foam::fsbi::meshStencil::update()
 {
     setFaces();
+    setWarp();
     setVertices();
     setCells();
     setWalls();
@@ -133,6 +137,58 @@ void Foam::fsbi::meshStencil::setFaces()
             ++i;
         }
     }
+}
+
+
+void Foam::fsbi::meshStencil::setWarp()
+{
+    const pointField& x = mesh_.points();
+    DynamicList<label> faces;
+    DynamicList<tensor> moments;
+    const auto add = [&](const label i, const label facei)
+    {
+        const face& f = mesh_.faces()[facei];
+        const point& Cf = mesh_.faceCentres()[facei];
+        if (f.size() == 3)
+        {
+            return;
+        }
+        // triangles as in OpenFOAM's face areas
+        point middle(Zero);
+        for (const label v : f)
+        {
+            middle += x[v]/f.size();
+        }
+        tensor moment(Zero);
+        forAll(f, k)
+        {
+            const point& a = x[f[k]];
+            const point& b = x[f.nextLabel(k)];
+            moment +=
+                ((a + b + middle)/3 - Cf)*(0.5*((b - a) ^ (middle - a)));
+        }
+        if (mag(moment) > planeBelow*pow(mag(area_[i]), 1.5))
+        {
+            faces.append(i);
+            moments.append(moment);
+        }
+    };
+
+    label i = 0;
+    for (; i < mesh_.nInternalFaces(); ++i)
+    {
+        add(i, i);
+    }
+    for (const label patchi : halo_.patches())
+    {
+        const polyPatch& pp = mesh_.boundaryMesh()[patchi];
+        forAll(pp, k)
+        {
+            add(i++, pp.start() + k);
+        }
+    }
+    warpedFaces_.transfer(faces);
+    warp_.transfer(moments);
 }
 
 

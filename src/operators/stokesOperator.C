@@ -285,6 +285,40 @@ void Foam::fsbi::stokesOperator::addInnerFaces(scalar* r) const
 }
 
 
+void Foam::fsbi::stokesOperator::addWarp(scalar* r) const
+{
+    forAll(stencil_.warpedFaces(), k)
+    {
+        const label i = stencil_.warpedFaces()[k];
+        const tensor& M = stencil_.warp()[k];
+        const label P = stencil_.owner()[i];
+        const label N = stencil_.neighbour()[i];
+        const faceGradient face
+        (
+            stencil_.area()[i], stencil_.fromOwner()[i],
+            stencil_.fromNeighbour()[i]
+        );
+        const scalar* gP = gradients_.cdata() + 12*P;
+        const scalar* gN = gradients_.cdata() + 12*N;
+        const vector force(face.mean(gP + 9, gN + 9) & M);
+        const scalar flux =
+            (face.mean(gP, gN) & M).x()
+          + (face.mean(gP + 3, gN + 3) & M).y()
+          + (face.mean(gP + 6, gN + 6) & M).z();
+
+        for (label side = 0; side < (N < mesh_.nCells() ? 2 : 1); ++side)
+        {
+            scalar* row = r + 4*(side ? N : P);
+            const scalar sign = side ? -1 : 1;
+            row[0] += sign*force.x();
+            row[1] += sign*force.y();
+            row[2] += sign*force.z();
+            row[3] += sign*flux;
+        }
+    }
+}
+
+
 void Foam::fsbi::stokesOperator::residual
 (
     const scalar* x,
@@ -297,6 +331,7 @@ void Foam::fsbi::stokesOperator::residual
     setVertexValues(x, b);
     setGradients();
     linearFaces_ ? addInnerFaces<true>(r) : addInnerFaces<false>(r);
+    addWarp(r);
     addBoundaryFaces(b, r, traction);
 }
 

@@ -191,7 +191,8 @@ void Foam::fsbi::flowConditions::evaluate
 {
     given.faces.setSize(stokes.nBoundaryFaces());
     given.faces = Zero;
-    U.boundaryFieldRef().updateCoeffs();
+    // not updateCoeffs(): that does nothing the second time, at a later time
+    U.boundaryFieldRef().evaluate();
     for (const fvPatchVectorField& pf : U.boundaryField())
     {
         if (pf.coupled())

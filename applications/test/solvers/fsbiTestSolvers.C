@@ -67,17 +67,11 @@ static void checkOrders(checks& c)
         const scalar ofP = Foam::log(p[0]/p[1])/spacing;
         Info<< "    " << kind << ": order of velocity " << ofU
             << ", of pressure " << ofP << endl;
-        // warped faces cost a little
-        const bool warped = kind == "perturbed" || kind == "polyhedra";
+        c.check(kind + ": order of the velocity", ofU > 1.8, name(ofU));
         c.check
         (
-            kind + ": order of the velocity", ofU > (warped ? 1.7 : 1.8),
-            name(ofU)
-        );
-        c.check
-        (
-            kind + ": order of the pressure", ofP > (warped ? 0.6 : 0.9),
-            name(ofP)
+            kind + ": order of the pressure",
+            ofP > (kind == "tetrahedra" ? 0.9 : 1.5), name(ofP)
         );
         c.checkBelow(kind + ": error of the velocity", u[1], 0.01);
         c.checkBelow(kind + ": iterations", its[1], most[k]);
