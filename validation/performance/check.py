@@ -47,7 +47,7 @@ def seconds_to(ladder, part=1e-3):
     return done
 
 
-runs = [Run(folder) for folder in glob.glob("runs/*")]
+runs = [Run(folder) for folder in glob.glob("runs/*k_*")]
 results = Results("performance")
 for mesh in sorted({run.mesh for run in runs}, key=len):
     series = ladders([run for run in runs if run.mesh == mesh])
@@ -80,4 +80,15 @@ for mesh in sorted({run.mesh for run in runs}, key=len):
         ],
         xlabel="seconds of solution", ylabel="error of the drag",
         title=f"What accuracy costs: {cells} tetrahedra", xlog=True, ylog=True)
+
+processes = [Case(folder) for folder in sorted(glob.glob("runs/parallel_*"))]
+if len(processes) == 2:
+    one, two = processes
+    results.at_least(
+        "parallel_efficiency_300k", one.solve_seconds/(2*two.solve_seconds),
+        0.5, seconds=two.solve_seconds, cells=two.cells, procs=2)
+    results.add(
+        "drag_on_2_over_1_processes_300k",
+        two.force("tumourCell")[-1, 0]/one.force("tumourCell")[-1, 0], 1, 1e-5,
+        cells=two.cells, procs=2)
 results.write()
