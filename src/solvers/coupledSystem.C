@@ -345,7 +345,7 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSystem::solve
     }
     else if (report.iterations > renewAbove*freshIterations_)
     {
-        renew();
+        freshIterations_ = 0;           // the next solution builds a new one
     }
     return report;
 }
