@@ -42,6 +42,27 @@ Foam::scalar Foam::fsbi::checkedDictionary::positive
 }
 
 
+Foam::vector Foam::fsbi::checkedDictionary::direction(const word& key) const
+{
+    const vector value = get<vector>(key);
+    if (mag(value) < SMALL)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry '" << key << "' has no length" << exit(FatalIOError);
+    }
+    return value/mag(value);
+}
+
+
+Foam::vector Foam::fsbi::checkedDictionary::direction
+(
+    const word& key, const vector& deflt
+) const
+{
+    return found(key) ? direction(key) : deflt;
+}
+
+
 Foam::word Foam::fsbi::checkedDictionary::choice
 (
     const word& key, const wordList& valid

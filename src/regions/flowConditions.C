@@ -4,8 +4,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "flowConditions.H"
-#include "tractionFvPatchVectorField.H"
-#include "velocityProfile.H"
+#include "tractionCondition.H"
+#include "pointwiseValue.H"
 #include "IFstream.H"
 #include "IStringStream.H"
 #include "OStringStream.H"
@@ -166,7 +166,7 @@ Foam::boolList Foam::fsbi::flowConditions::velocityGiven
     {
         const fvPatch& patch = pf.patch();
         const label start = patch.start() - mesh_.mesh().nInternalFaces();
-        if (!patch.coupled() && !isA<tractionFvPatchVectorField>(pf))
+        if (!patch.coupled() && !isA<tractionCondition>(pf))
         {
             any = true;
             SubList<bool>(given, patch.size(), start) = true;
@@ -201,9 +201,9 @@ void Foam::fsbi::flowConditions::evaluate
         }
         const label start = pf.patch().start() - mesh_.mesh().nInternalFaces();
         SubField<vector> values(given.faces, pf.size(), start);
-        if (isA<tractionFvPatchVectorField>(pf))
+        if (isA<tractionCondition>(pf))
         {
-            values = refCast<const tractionFvPatchVectorField>(pf).traction();
+            values = refCast<const tractionCondition>(pf).traction();
         }
         else if (!mesh_.isBody(pf.patch().name()))
         {
@@ -227,15 +227,15 @@ void Foam::fsbi::flowConditions::setVertices
     for (const fvPatchVectorField& pf : U.boundaryField())
     {
         const polyPatch& pp = pf.patch().patch();
-        if (pf.coupled() || isA<tractionFvPatchVectorField>(pf))
+        if (pf.coupled() || isA<tractionCondition>(pf))
         {
             continue;
         }
-        const auto* profile = isA<velocityProfile>(pf);
+        const auto* profile = isA<pointwiseValue>(pf);
         vectorField u(pp.nPoints(), Zero);
         if (profile)
         {
-            u = profile->velocityAt(pp.localPoints(), time_.value());
+            u = profile->valueAt(pp.localPoints(), time_.value());
         }
         else if (!mesh_.isBody(pp.name()))
         {

@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fluidRegion.H"
-#include "tractionFvPatchVectorField.H"
+#include "tractionCondition.H"
 #include "syncTools.H"
 
 Foam::fsbi::fluidRegion::fluidRegion
@@ -288,7 +288,7 @@ void Foam::fsbi::fluidRegion::setFields(const UList<bodyRows>& rows)
         const label start = patch.start() - mesh().nInternalFaces();
         p.boundaryFieldRef()[patchi] = SubField<scalar>(pb, patch.size(), start);
 
-        if (isA<tractionFvPatchVectorField>(Up))
+        if (isA<tractionCondition>(Up))
         {
             const labelUList& cells = patch.faceCells();
             const vectorField db(patch.Cf() - patch.Cn());

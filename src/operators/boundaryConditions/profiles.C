@@ -8,56 +8,15 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "addToRunTimeSelectionTable.H"
 #include "volFields.H"
 
-namespace Foam
-{
-namespace fsbi
-{
-
-//- A direction entry, normalised
-static vector direction
+Foam::fsbi::linearShear::linearShear
 (
-    const checkedDictionary& dict, const word& key, const vector& deflt
+    const checkedDictionary& dict, const fvPatch&
 )
-{
-    const vector d(dict.getOrDefault<vector>(key, deflt));
-    if (mag(d) < SMALL)
-    {
-        FatalIOErrorInFunction(dict.dict())
-            << "Entry '" << key << "' has no length" << exit(FatalIOError);
-    }
-    return d/mag(d);
-}
-
-
-//- A Function1 entry
-static autoPtr<Function1<scalar>> functionOfTime
-(
-    const checkedDictionary& dict, const word& key
-)
-{
-    dict.found(key);
-    return Function1<scalar>::New(key, dict.dict());
-}
-
-} // End namespace fsbi
-} // End namespace Foam
-
-
-Foam::fsbi::linearShear::linearShear(const checkedDictionary& dict)
 :
-    rate_(functionOfTime(dict, "shearRate")),
-    flow_(direction(dict, "flowDirection", vector(1, 0, 0))),
-    gradient_(direction(dict, "gradientDirection", vector(0, 0, 1))),
+    rate_(dict, "shearRate"),
+    flow_(dict.direction("flowDirection", vector(1, 0, 0))),
+    gradient_(dict.direction("gradientDirection", vector(0, 0, 1))),
     origin_(dict.getOrDefault<point>("origin", Zero))
-{}
-
-
-Foam::fsbi::linearShear::linearShear(const linearShear& p)
-:
-    rate_(p.rate_->clone().ptr()),
-    flow_(p.flow_),
-    gradient_(p.gradient_),
-    origin_(p.origin_)
 {}
 
 
@@ -66,42 +25,35 @@ Foam::vector Foam::fsbi::linearShear::operator()
     const point& x, const scalar time
 ) const
 {
-    return rate_->value(time)*((x - origin_) & gradient_)*flow_;
+    return rate_.value(time)*((x - origin_) & gradient_)*flow_;
 }
 
 
 void Foam::fsbi::linearShear::write(Ostream& os) const
 {
-    rate_->writeData(os);
+    rate_.write(os);
     os.writeEntry("flowDirection", flow_);
     os.writeEntry("gradientDirection", gradient_);
     os.writeEntry("origin", origin_);
 }
 
 
-Foam::fsbi::Poiseuille::Poiseuille(const checkedDictionary& dict)
+Foam::fsbi::Poiseuille::Poiseuille
+(
+    const checkedDictionary& dict, const fvPatch&
+)
 :
-    maximum_(functionOfTime(dict, "maxVelocity")),
+    maximum_(dict, "maxVelocity"),
     halfWidth_(dict.positive("halfWidth")),
-    flow_(direction(dict, "flowDirection", vector(1, 0, 0))),
+    flow_(dict.direction("flowDirection", vector(1, 0, 0))),
     gradient_(Zero),
     origin_(dict.getOrDefault<point>("origin", Zero))
 {
     if (dict.found("gradientDirection"))
     {
-        gradient_ = direction(dict, "gradientDirection", Zero);
+        gradient_ = dict.direction("gradientDirection");
     }
 }
-
-
-Foam::fsbi::Poiseuille::Poiseuille(const Poiseuille& p)
-:
-    maximum_(p.maximum_->clone().ptr()),
-    halfWidth_(p.halfWidth_),
-    flow_(p.flow_),
-    gradient_(p.gradient_),
-    origin_(p.origin_)
-{}
 
 
 Foam::vector Foam::fsbi::Poiseuille::operator()
@@ -112,13 +64,13 @@ Foam::vector Foam::fsbi::Poiseuille::operator()
     const vector d(x - origin_);
     const scalar r2 =
         magSqr(gradient_) > 0 ? sqr(d & gradient_) : magSqr(d - flow_*(flow_ & d));
-    return maximum_->value(time)*(1 - r2/sqr(halfWidth_))*flow_;
+    return maximum_.value(time)*(1 - r2/sqr(halfWidth_))*flow_;
 }
 
 
 void Foam::fsbi::Poiseuille::write(Ostream& os) const
 {
-    maximum_->writeData(os);
+    maximum_.write(os);
     os.writeEntry("halfWidth", halfWidth_);
     os.writeEntry("flowDirection", flow_);
     if (magSqr(gradient_) > 0)
@@ -129,7 +81,10 @@ void Foam::fsbi::Poiseuille::write(Ostream& os) const
 }
 
 
-Foam::fsbi::StokesSphere::StokesSphere(const checkedDictionary& dict)
+Foam::fsbi::StokesSphere::StokesSphere
+(
+    const checkedDictionary& dict, const fvPatch&
+)
 :
     radius_(dict.positive("radius")),
     centre_(dict.getOrDefault<point>("centre", Zero)),
