@@ -6,33 +6,10 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "conformalMesher.H"
 #include "gmshModel.H"
 #include "meshAssembly.H"
+#include "meshingAttempts.H"
+#include "serialScope.H"
 #include "sizeField.H"
 #include "triangleCrossings.H"
-
-namespace Foam
-{
-namespace fsbi
-{
-
-// The master meshes alone: OpenFOAM must not wait for the others meanwhile
-struct serialScope
-{
-    const bool parallel = Pstream::parRun();
-
-    serialScope()
-    {
-        Pstream::parRun() = false;
-    }
-
-    ~serialScope()
-    {
-        Pstream::parRun() = parallel;
-    }
-};
-
-} // End namespace fsbi
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -114,7 +91,7 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
     const bodySurface& walls,
     const vector& shift,
     sizeField& size,
-    const attempt& settings
+    const meshingAttempt& settings
 ) const
 {
     meshLists mesh;
@@ -143,8 +120,7 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
     List<FixedList<label, 4>> tetrahedra;
     mesh.failure = model.generate
     (
-        size, settings.algorithm3D, settings.seed, settings.optimise,
-        mesh.points, tetrahedra
+        std::cref(size), settings, mesh.points, tetrahedra
     );
     if (!mesh.valid())
     {
@@ -159,7 +135,8 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
         forAll(bodies[b].triangles(), i)
         {
             const triFace& t = bodies[b].triangles()[i];
-            const triFace f(t[0] + offset, t[1] + offset, t[2] + offset);
+            // out of the fluid is into the body
+            const triFace f(t[0] + offset, t[2] + offset, t[1] + offset);
             boundary.append({f, nDomain + b, i});
         }
         mesh.bodyPoints.append(identity(bodies[b].points().size(), offset));
@@ -251,37 +228,20 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
         domain_, domainShift, walls, bodies, cyclics_.translations(), controls_
     );
 
-    // the repeatable algorithm goes first where it is asked for
-    const int Delaunay = 1, HXT = 10;
-    const bool preferHXT = controls_.algorithm == "HXT";
-    const int n = controls_.optimise;
-    const attempt attempts[] =
+    meshLists mesh
+    (
+        firstGoodMesh
+        (
+            controls_,
+            [&](const meshingAttempt& settings)
+            {
+                return meshOnce(bodies, walls, domainShift, size, settings);
+            }
+        )
+    );
+    if (mesh.valid())
     {
-        {preferHXT ? HXT : Delaunay, 1, n, 1},
-        {Delaunay, 2, n + 1, 1.6},
-        {HXT, 3, n + 1, 1},
-        {Delaunay, 4, n + 2, 2.5}
-    };
-    remeshControls limits(controls_);
-    limits.maxNonOrthogonality -= 5;
-
-    meshLists mesh;
-    string failures;
-    for (const attempt& settings : attempts)
-    {
-        mesh = meshOnce(bodies, walls, domainShift, size, settings);
-        if (mesh.valid())
-        {
-            mesh.failure = meshQuality(mesh).complaint(limits);
-        }
-        if (mesh.valid())
-        {
-            setPatches(bodyNames, mesh);
-            return mesh;
-        }
-        failures += (failures.empty() ? "" : "; then ") + mesh.failure;
+        setPatches(bodyNames, mesh);
     }
-    mesh = meshLists();
-    mesh.failure = failures;
     return mesh;
 }

@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "gmshModel.H"
-#include "sizeField.H"
+#include "meshingAttempts.H"
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +14,15 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 void Foam::fsbi::gmshModel::setOptions
 (
-    const int algorithm, const int seed, const int optimise
+    const meshingAttempt& settings
 )
 {
     const std::pair<const char*, double> options[] =
     {
         {"Mesh.Algorithm", 6},                  // frontal: best triangles
-        {"Mesh.Algorithm3D", double(algorithm)},
-        {"Mesh.RandomSeed", double(seed)},
-        {"Mesh.Optimize", double(optimise)},
+        {"Mesh.Algorithm3D", double(settings.algorithm3D)},
+        {"Mesh.RandomSeed", double(settings.seed)},
+        {"Mesh.Optimize", double(settings.optimise)},
         {"Mesh.OptimizeThreshold", 0.4},
         {"Mesh.OptimizeNetgen", 0},
         {"Mesh.Renumber", 0},                   // keeps our node tags
@@ -144,10 +144,8 @@ void Foam::fsbi::gmshModel::addOutline
 
 Foam::string Foam::fsbi::gmshModel::generate
 (
-    const sizeField& size,
-    const int algorithm,
-    const int seed,
-    const int optimise,
+    const sizeFunction& size,
+    const meshingAttempt& settings,
     pointField& points,
     List<FixedList<label, 4>>& tetrahedra
 )
@@ -156,7 +154,7 @@ Foam::string Foam::fsbi::gmshModel::generate
     std::vector<std::size_t> tags, nodes;
     try
     {
-        setOptions(algorithm, seed, optimise);
+        setOptions(settings);
         std::vector<int> shells;
         if (pieces_.size())
         {

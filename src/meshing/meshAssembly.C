@@ -164,14 +164,12 @@ static string matchSides
             return "a free side of a cell is on no boundary";
         }
         const boundaryTriangle& t = boundary[found->second];
-        // a body's triangle keeps its first point, so that order is known
-        face f(firstPointLowest(sides[i].outward));
-        if (t.place >= 0)
-        {
-            f[0] = t.points[0];
-            f[1] = t.points[2];
-            f[2] = t.points[1];
-        }
+        const face f
+        (
+            t.place >= 0
+          ? face(t.points)
+          : firstPointLowest(sides[i].outward)
+        );
         outer.push_back({t.patch, t.place, sides[i].cell, f});
     }
     return

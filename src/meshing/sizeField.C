@@ -10,16 +10,11 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 void Foam::fsbi::sizeField::addSurface(const bodySurface& surface)
 {
-    const List<triFace>& triangles = surface.triangles();
-    scalarField sizes(triangles.size());
-    const scalarField pointSizes(surface.pointSizes());
-    forAll(triangles, i)
-    {
-        const triFace& t = triangles[i];
-        sizes[i] = (pointSizes[t[0]] + pointSizes[t[1]] + pointSizes[t[2]])/3;
-    }
-    surfaces_.append(new surfaceDistance(surface.points(), triangles));
-    sizes_.append(sizes);
+    surfaces_.append
+    (
+        new surfaceDistance(surface.points(), surface.triangles())
+    );
+    sizes_.append(triangleSizes(surface));
 }
 
 
@@ -123,6 +118,25 @@ Foam::fsbi::sizeField::sizeField
             )
         );
     }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalarField Foam::fsbi::sizeField::triangleSizes
+(
+    const bodySurface& surface
+)
+{
+    const List<triFace>& triangles = surface.triangles();
+    const scalarField pointSizes(surface.pointSizes());
+    scalarField sizes(triangles.size());
+    forAll(triangles, i)
+    {
+        const triFace& t = triangles[i];
+        sizes[i] = (pointSizes[t[0]] + pointSizes[t[1]] + pointSizes[t[2]])/3;
+    }
+    return sizes;
 }
 
 

@@ -1,0 +1,47 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "meshingAttempts.H"
+#include "meshQuality.H"
+
+Foam::fsbi::meshLists Foam::fsbi::firstGoodMesh
+(
+    const remeshControls& controls,
+    const std::function<meshLists(const meshingAttempt&)>& make
+)
+{
+    // the repeatable algorithm goes first where it is asked for
+    const int Delaunay = 1, HXT = 10;
+    const bool preferHXT = controls.algorithm == "HXT";
+    const int n = controls.optimise;
+    const meshingAttempt attempts[] =
+    {
+        {preferHXT ? HXT : Delaunay, 1, n, 1},
+        {Delaunay, 2, n + 1, 1.6},
+        {HXT, 3, n + 1, 1},
+        {Delaunay, 4, n + 2, 2.5}
+    };
+    remeshControls limits(controls);
+    limits.maxNonOrthogonality -= 5;
+
+    meshLists mesh;
+    string failures;
+    for (const meshingAttempt& settings : attempts)
+    {
+        mesh = make(settings);
+        if (mesh.valid())
+        {
+            mesh.failure = meshQuality(mesh).complaint(limits);
+        }
+        if (mesh.valid())
+        {
+            return mesh;
+        }
+        failures += (failures.empty() ? "" : "; then ") + mesh.failure;
+    }
+    mesh = meshLists();
+    mesh.failure = failures;
+    return mesh;
+}
