@@ -1,0 +1,143 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "bodyMesher.H"
+#include "gmshModel.H"
+#include "meshAssembly.H"
+#include "meshingAttempts.H"
+#include "serialScope.H"
+#include "sizeField.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+static void checkSurface(const word& name, const bodySurface& surface)
+{
+    surface.check(name);
+    if (surface.volume() <= 0)
+    {
+        FatalErrorInFunction
+            << "The surface of body '" << name << "' is inside out or empty: "
+            << "its volume is " << surface.volume() << exit(FatalError);
+    }
+}
+
+
+// From the edge length of the triangles to that inside. gmsh inserts points
+// until the circumradii are below the size it is asked for; edges are then
+// longer by what was measured in uniform meshes.
+class innerSize
+{
+    const surfaceDistance surface_;
+
+    const scalarField sizes_;
+
+    const scalar inside_;
+
+    const scalar growth_;
+
+    static constexpr scalar edgePerSize_ = 1.4;
+
+public:
+
+    innerSize
+    (
+        const bodySurface& surface, const scalar inside, const scalar growth
+    )
+    :
+        surface_(surface.points(), surface.triangles()),
+        sizes_(sizeField::triangleSizes(surface)),
+        inside_(inside > 0 ? inside : surface.meanEdge()),
+        growth_(growth)
+    {}
+
+    scalar operator()(const point& p) const
+    {
+        scalar d;
+        label triangle;
+        if (!surface_.find(p, ROOTVGREAT, d, triangle))
+        {
+            return inside_/edgePerSize_;
+        }
+        const scalar h = sizes_[triangle];
+        return
+            (h + max(-growth_*d, min(growth_*d, inside_ - h)))/edgePerSize_;
+    }
+};
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::fsbi::meshLists Foam::fsbi::bodyMesher::meshOnce
+(
+    const bodySurface& surface,
+    const std::function<scalar(const point&)>& size,
+    const meshingAttempt& settings
+) const
+{
+    meshLists mesh;
+    gmshModel model(surface.bounds().mag());
+    model.addSurface(surface);
+    List<FixedList<label, 4>> tetrahedra;
+    mesh.failure = model.generate(size, settings, mesh.points, tetrahedra);
+    if (mesh.valid())
+    {
+        DynamicList<boundaryTriangle> boundary;
+        forAll(surface.triangles(), i)
+        {
+            boundary.append({surface.triangles()[i], 0, i});
+        }
+        mesh.bodyPoints.append(identity(surface.points().size()));
+        assembleMesh(mesh, std::move(tetrahedra), boundary, 1);
+    }
+    return mesh;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsbi::bodyMesher::bodyMesher(const dictionary& remeshDict)
+:
+    controls_(remeshDict)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::fsbi::meshLists Foam::fsbi::bodyMesher::fill
+(
+    const word& patchName,
+    const bodySurface& surface,
+    const scalar size
+) const
+{
+    checkSurface(patchName, surface);
+    const serialScope serial;
+    const innerSize wanted(surface, size, controls_.growth);
+    meshLists mesh
+    (
+        firstGoodMesh
+        (
+            controls_,
+            [&](const meshingAttempt& settings)
+            {
+                return meshOnce(surface, std::cref(wanted), settings);
+            }
+        )
+    );
+    if (mesh.valid())
+    {
+        dictionary dict;
+        dict.set("type", "patch");
+        mesh.patchNames.append(patchName);
+        mesh.patchDicts.append(dict);
+    }
+    return mesh;
+}
