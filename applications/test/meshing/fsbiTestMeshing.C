@@ -6,12 +6,13 @@ Application
     fsbiTestMeshing
 
 Description
-    Checks of the conformal mesher, of mesh motion and, run on several
-    processors (mpirun -np 2 fsbiTestMeshing -parallel), of the distribution.
+    Checks of the meshes around and inside bodies, of mesh motion and, run on
+    several processors (mpirun -np 2 fsbiTestMeshing -parallel), of the
+    distribution.
 
 \*---------------------------------------------------------------------------*/
 
-#include "scene.H"
+#include "filling.H"
 #include "meshDistribution.H"
 #include "rigidBlendMotion.H"
 #include "argList.H"
@@ -373,7 +374,9 @@ int main(int argc, char* argv[])
         checkCyclic(c);
         checkMotion(c);
         checkErrors(c);
+        checkFilling(c);
     }
     checkDistribution(c);
+    checkMasterAlone(c);
     return c.finish();
 }
