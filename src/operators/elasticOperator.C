@@ -1,0 +1,636 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "elasticOperator.H"
+#include "sharedVertices.H"
+#include "syncTools.H"
+
+const Foam::Enum<Foam::fsbi::elasticOperator::formulation>
+Foam::fsbi::elasticOperator::formulationNames
+({
+    { formulation::totalLagrangian, "totalLagrangian" },
+    { formulation::updatedLagrangian, "updatedLagrangian" },
+    { formulation::slowProcess, "slowProcess" }
+});
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Smoothing of the pressure: larger is smoother, and less local
+static const scalar smoothingScale = 1;
+
+//- J F^-T, which turns areas
+inline tensor cofactor(const tensor& F)
+{
+    return det(F)*inv(F).T();
+}
+
+inline tensor cofactorTangent(const tensor& F, const tensor& dF)
+{
+    const tensor inverse(inv(F));
+    const tensor turned(inverse & dF);
+    return det(F)*(tr(turned)*tensor::I - turned.T()) & inverse.T();
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::fsbi::elasticOperator::elasticOperator
+(
+    const fvMesh& mesh,
+    const solidMaterial& material,
+    const List<solidBoundary::kind>& kinds,
+    const formulation form,
+    const bool mixed
+)
+:
+    mesh_(mesh),
+    material_(material),
+    formulation_(form),
+    mixed_(mixed),
+    kinds_(kinds),
+    stencil_(mesh, kinds),
+    deltaT_(GREAT),
+    prior_(mesh.nPoints(), tensor::I),
+    before_(mesh.nPoints(), tensor::I),
+    values_(stencil_.nColumns(), Zero),
+    gradient_(mesh.nPoints(), Zero),
+    F_(mesh.nPoints(), tensor::I),
+    pressure_(mixed ? mesh.nPoints() : 0, Zero),
+    stress_(mesh.nPoints(), Zero),
+    boundaryForce_(nGhosts(), Zero),
+    given_(nullptr),
+    valid_(true),
+    dValues_(stencil_.nColumns(), Zero),
+    dGradient_(mesh.nPoints(), Zero),
+    dPressure_(pressure_.size(), Zero),
+    dStress_(mesh.nPoints(), Zero),
+    dBoundaryForce_(nGhosts(), Zero),
+    vertexRow_(pressure_.size(), Zero)
+{
+    if (material.linear() && form != formulation::totalLagrangian)
+    {
+        FatalErrorInFunction
+            << "A linear law holds for small displacements of the stress-free"
+            << " body: region " << mesh.name() << " needs formulation"
+            << " totalLagrangian, or StVenantKirchhoff instead of "
+            << material.type() << exit(FatalError);
+    }
+    setOwnedVertices();
+}
+
+
+void Foam::fsbi::elasticOperator::setOwnedVertices()
+{
+    if (!mixed_)
+    {
+        return;
+    }
+    const bitSet master(syncTools::getMasterPoints(mesh_));
+    ownedVertices_ = master.toc();
+}
+
+
+void Foam::fsbi::elasticOperator::update()
+{
+    stencil_.update();
+}
+
+
+Foam::scalar Foam::fsbi::elasticOperator::stiffness() const
+{
+    const scalar mu = material_.mu();
+    return mixed_ ? 4*mu/3 : mu + (mu + material_.lambda())/3;
+}
+
+
+void Foam::fsbi::elasticOperator::gather
+(
+    const scalar* x, vectorField& values
+) const
+{
+    const label nCells = mesh_.nCells();
+    const vector* given = reinterpret_cast<const vector*>(x);
+    std::copy_n(given, nCells, values.begin());
+    std::copy_n
+    (
+        given + nCells, nGhosts(), values.begin() + stencil_.firstGhost()
+    );
+    stencil_.halo().fill(values.begin()->v_, 3);
+}
+
+
+void Foam::fsbi::elasticOperator::setGradient
+(
+    const vectorField& values, tensorField& gradient
+) const
+{
+    const label* start = stencil_.vertexStart().cdata();
+    const label* column = stencil_.vertexColumn().cdata();
+    const vector* weight = stencil_.gradientWeight().cdata();
+    forAll(gradient, v)
+    {
+        tensor g(Zero);
+        for (label j = start[v]; j < start[v + 1]; ++j)
+        {
+            g += values[column[j]]*weight[j];
+        }
+        gradient[v] = g;
+    }
+    sharedVertices::sum<9>
+    (
+        mesh_, gradient.begin()->v_, stencil_.halo().size()
+    );
+}
+
+
+void Foam::fsbi::elasticOperator::setPressure
+(
+    const scalar* x, scalarField& pressure
+) const
+{
+    if (!mixed_)
+    {
+        return;
+    }
+    const scalar* given = x + 3*(mesh_.nCells() + nGhosts());
+    pressure = Zero;
+    forAll(ownedVertices_, i)
+    {
+        pressure[ownedVertices_[i]] = given[i];
+    }
+    sharedVertices::sum<1>(mesh_, pressure.begin(), stencil_.halo().size());
+}
+
+
+Foam::tensor Foam::fsbi::elasticOperator::faceMean
+(
+    const label i, const tensorField& vertices
+) const
+{
+    const label start = stencil_.faceStart()[i];
+    const label end = stencil_.faceStart()[i + 1];
+    tensor sum(Zero);
+    for (label j = start; j < end; ++j)
+    {
+        sum += vertices[stencil_.faceVertex()[j]];
+    }
+    return sum/(end - start);
+}
+
+
+Foam::tensor Foam::fsbi::elasticOperator::cellMean
+(
+    const label celli, const tensorField& vertices
+) const
+{
+    const labelList& points = mesh_.cellPoints()[celli];
+    tensor sum(Zero);
+    for (const label v : points)
+    {
+        sum += vertices[v];
+    }
+    return sum/points.size();
+}
+
+
+Foam::tensor Foam::fsbi::elasticOperator::lawStress(const label v) const
+{
+    if (material_.linear())
+    {
+        // 1 + grad u would lose the digits of small strains
+        const tensor P
+        (
+            lawTangent(v, gradient_[v], mixed_ ? pressure_[v] : 0)
+        );
+        return
+            material_.viscosity() > 0
+          ? P - material_.viscousStress(F_[v], rate(before_[v] - tensor::I))
+          : P;
+    }
+    const tensor& F = F_[v];
+    tensor P
+    (
+        mixed_
+      ? material_.shearStress(F) - pressure_[v]*material_.thetaGradient(F)
+      : material_.stress(F)
+    );
+    if (material_.viscosity() > 0)
+    {
+        P += material_.viscousStress(F, rate(F - before_[v]));
+    }
+    return P;
+}
+
+
+Foam::tensor Foam::fsbi::elasticOperator::lawTangent
+(
+    const label v, const tensor& dF, const scalar dp
+) const
+{
+    const tensor& F = F_[v];
+    tensor dP
+    (
+        mixed_
+      ? material_.shearTangent(F, dF)
+      - pressure_[v]*material_.thetaTangent(F, dF)
+      - dp*material_.thetaGradient(F)
+      : material_.tangent(F, dF)
+    );
+    if (material_.viscosity() > 0)
+    {
+        dP += material_.viscousTangent
+        (
+            F, rate(F - before_[v]), dF, rate(dF)
+        );
+    }
+    return dP;
+}
+
+
+Foam::tensor Foam::fsbi::elasticOperator::pushed
+(
+    const label v, const tensor& P
+) const
+{
+    switch (formulation_)
+    {
+        case formulation::totalLagrangian:
+            return P;
+        case formulation::updatedLagrangian:
+            return (P & prior_[v].T())/det(prior_[v]);
+        default:
+            return (tensor::I + gradient_[v]) & inv(F_[v]) & P;
+    }
+}
+
+
+Foam::tensor Foam::fsbi::elasticOperator::pushedTangent
+(
+    const label v, const tensor& dF, const tensor& dP
+) const
+{
+    if (formulation_ != formulation::slowProcess)
+    {
+        return pushed(v, dP);
+    }
+    // of F'' S, S = F^-1 P
+    const tensor inverse(inv(F_[v]));
+    const tensor S(inverse & lawStress(v));
+    const tensor dS(inverse & (dP - (dF & S)));
+    return (dGradient_[v] & S) + ((tensor::I + gradient_[v]) & dS);
+}
+
+
+void Foam::fsbi::elasticOperator::setStress()
+{
+    valid_ = true;
+    forAll(F_, v)
+    {
+        F_[v] = (tensor::I + gradient_[v]) & prior_[v];
+        if (!material_.defined(F_[v]))
+        {
+            valid_ = false;
+            F_[v] = prior_[v];
+        }
+        stress_[v] = pushed(v, lawStress(v));
+    }
+}
+
+
+void Foam::fsbi::elasticOperator::addFaces
+(
+    const vectorField& values,
+    const tensorField& gradient,
+    const tensorField& stress,
+    vectorField& force,
+    scalar* r
+) const
+{
+    const label nCells = mesh_.nCells();
+    const label firstBoundary = stencil_.firstBoundary();
+    const scalar mu = material_.mu();
+    vector* row = reinterpret_cast<vector*>(r);
+
+    forAll(stencil_.owner(), i)
+    {
+        const label P = stencil_.owner()[i];
+        const label N = stencil_.neighbour()[i];
+        const vector unexplained
+        (
+            values[N] - values[P]
+          - (faceMean(i, gradient) & stencil_.delta()[i])
+        );
+        const vector T
+        (
+            (faceMean(i, stress) & stencil_.area()[i])
+          + mu*stencil_.compact()[i]*unexplained
+        );
+        if (i >= firstBoundary)
+        {
+            force[i - firstBoundary] = T;
+            continue;
+        }
+        row[P] -= T;
+        if (N < nCells)
+        {
+            row[N] += T;
+        }
+    }
+}
+
+
+Foam::vector Foam::fsbi::elasticOperator::footToFace(const label ghost) const
+{
+    const label i = stencil_.firstBoundary() + ghost;
+    const label facei = stencil_.face()[i];
+    return
+        mesh_.faceCentres()[facei]
+      - mesh_.cellCentres()[stencil_.owner()[i]]
+      - 0.5*stencil_.delta()[i];
+}
+
+
+Foam::vector Foam::fsbi::elasticOperator::load(const label ghost) const
+{
+    const label i = stencil_.firstBoundary() + ghost;
+    const label b = stencil_.ghostFaces()[ghost];
+    const vector& S = stencil_.area()[i];
+    vector t(mag(S)*given_->faces[b]);
+    if (given_->pressure[b] != 0 || given_->follower[b] != vector::zero)
+    {
+        const vector A(cofactor(tensor::I + faceMean(i, gradient_)) & S);
+        t += mag(A)*given_->follower[b] - given_->pressure[b]*A;
+    }
+    return t;
+}
+
+
+Foam::vector Foam::fsbi::elasticOperator::loadTangent
+(
+    const label ghost, const tensor& dGradient
+) const
+{
+    const label i = stencil_.firstBoundary() + ghost;
+    const label b = stencil_.ghostFaces()[ghost];
+    if (given_->pressure[b] == 0 && given_->follower[b] == vector::zero)
+    {
+        return Zero;
+    }
+    const vector& S = stencil_.area()[i];
+    const tensor F(tensor::I + faceMean(i, gradient_));
+    const vector A(cofactor(F) & S);
+    const vector dA(cofactorTangent(F, dGradient) & S);
+    return
+        (A & dA)/mag(A)*given_->follower[b] - given_->pressure[b]*dA;
+}
+
+
+void Foam::fsbi::elasticOperator::addBoundary
+(
+    const vectorField& values,
+    const tensorField& gradient,
+    const vectorField& force,
+    const vectorField& load,
+    const bool homogeneous,
+    scalar* r
+) const
+{
+    vector* row = reinterpret_cast<vector*>(r);
+    vector* ghostRow = row + mesh_.nCells();
+    forAll(force, g)
+    {
+        const label i = stencil_.firstBoundary() + g;
+        const label P = stencil_.owner()[i];
+        const vector& uP = values[P];
+        const vector& uG = values[stencil_.neighbour()[i]];
+        const label b = stencil_.ghostFaces()[g];
+        switch (kinds_[b])
+        {
+            case solidBoundary::displacement:
+            {
+                // parabola through the cell, with its slope, and the face
+                const tensor slope(cellMean(P, gradient));
+                const vector uFoot(uP + (slope & footToFace(g)));
+                const vector uB
+                (
+                    homogeneous ? vector::zero : given_->faces[b]
+                );
+                row[P] -= force[g];
+                ghostRow[g] =
+                    0.5*(uG - uP) - 2*(uB - uFoot)
+                  + 0.5*(slope & stencil_.delta()[i]);
+                break;
+            }
+            case solidBoundary::traction:
+            {
+                row[P] -= load[g];
+                ghostRow[g] =
+                    (force[g] - load[g])/(stiffness()*stencil_.compact()[i]);
+                break;
+            }
+            default:
+            {
+                const vector n(normalised(stencil_.area()[i]));
+                row[P] -= n*(n & force[g]);
+                ghostRow[g] = uG - uP + 2*n*(n & uP);
+            }
+        }
+    }
+}
+
+
+void Foam::fsbi::elasticOperator::addPressures
+(
+    const scalarField& volume, const scalarField& pressure, scalar* r
+) const
+{
+    vertexRow_ = Zero;
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    {
+        const labelList& points = mesh_.cellPoints()[celli];
+        scalar mean = 0;
+        for (const label v : points)
+        {
+            mean += pressure[v]/points.size();
+        }
+        const scalar weight =
+            smoothingScale*mesh_.cellVolumes()[celli]
+           /(points.size()*material_.mu());
+        for (const label v : points)
+        {
+            vertexRow_[v] += weight*(pressure[v] - mean);
+        }
+    }
+    sharedVertices::sum<1>(mesh_, vertexRow_.begin(), stencil_.halo().size());
+
+    scalar* row = r + 3*(mesh_.nCells() + nGhosts());
+    forAll(ownedVertices_, i)
+    {
+        const label v = ownedVertices_[i];
+        row[i] =
+            vertexRow_[v]
+          + stencil_.vertexVolume()[v]
+           *(volume[v] + pressure[v]/material_.lambda());
+    }
+}
+
+
+void Foam::fsbi::elasticOperator::residual
+(
+    const scalar* x, const solidBoundary& given, scalar* r
+)
+{
+    given_ = &given;
+    std::fill_n(r, size(), scalar(0));
+    gather(x, values_);
+    setGradient(values_, gradient_);
+    setPressure(x, pressure_);
+    setStress();
+    addFaces(values_, gradient_, stress_, boundaryForce_, r);
+
+    vectorField loads(nGhosts());
+    forAll(loads, g)
+    {
+        loads[g] = load(g);
+    }
+    addBoundary(values_, gradient_, boundaryForce_, loads, false, r);
+    forAll(loads, g)
+    {
+        if (kinds_[stencil_.ghostFaces()[g]] == solidBoundary::traction)
+        {
+            boundaryForce_[g] = loads[g];
+        }
+    }
+    if (mixed_)
+    {
+        scalarField volume(F_.size());
+        forAll(F_, v)
+        {
+            volume[v] =
+                material_.linear()
+              ? material_.thetaGradient(F_[v]) && gradient_[v]
+              : material_.theta(F_[v]);
+        }
+        addPressures(volume, pressure_, r);
+    }
+}
+
+
+void Foam::fsbi::elasticOperator::tangent(const scalar* dx, scalar* dr) const
+{
+    std::fill_n(dr, size(), scalar(0));
+    gather(dx, dValues_);
+    setGradient(dValues_, dGradient_);
+    setPressure(dx, dPressure_);
+    scalarField volume(dPressure_.size());
+    forAll(dStress_, v)
+    {
+        const tensor dF(dGradient_[v] & prior_[v]);
+        const scalar dp = mixed_ ? dPressure_[v] : 0;
+        dStress_[v] = pushedTangent(v, dF, lawTangent(v, dF, dp));
+        if (mixed_)
+        {
+            volume[v] = material_.thetaGradient(F_[v]) && dF;
+        }
+    }
+    addFaces(dValues_, dGradient_, dStress_, dBoundaryForce_, dr);
+
+    vectorField loads(nGhosts());
+    forAll(loads, g)
+    {
+        loads[g] =
+            loadTangent(g, faceMean(stencil_.firstBoundary() + g, dGradient_));
+    }
+    addBoundary(dValues_, dGradient_, dBoundaryForce_, loads, true, dr);
+    if (mixed_)
+    {
+        addPressures(volume, dPressure_, dr);
+    }
+}
+
+
+bool Foam::fsbi::elasticOperator::valid() const
+{
+    return returnReduce(valid_, andOp<bool>());
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::fsbi::elasticOperator::boundaryForce() const
+{
+    auto result = tmp<vectorField>::New(kinds_.size(), Zero);
+    forAll(boundaryForce_, g)
+    {
+        result.ref()[stencil_.ghostFaces()[g]] = boundaryForce_[g];
+    }
+    return result;
+}
+
+
+Foam::tmp<Foam::vectorField>
+Foam::fsbi::elasticOperator::vertexDisplacement() const
+{
+    auto result = tmp<vectorField>::New(mesh_.nPoints(), Zero);
+    vectorField& u = result.ref();
+    forAll(u, v)
+    {
+        for
+        (
+            label j = stencil_.vertexStart()[v];
+            j < stencil_.vertexStart()[v + 1];
+            ++j
+        )
+        {
+            u[v] +=
+                stencil_.valueWeight()[j]*values_[stencil_.vertexColumn()[j]];
+        }
+    }
+    sharedVertices::sum<3>(mesh_, u.begin()->v_, stencil_.halo().size());
+    return result;
+}
+
+
+Foam::tmp<Foam::vectorField>
+Foam::fsbi::elasticOperator::boundaryDisplacement() const
+{
+    auto result = tmp<vectorField>::New(kinds_.size(), Zero);
+    for (label g = 0; g < nGhosts(); ++g)
+    {
+        const label i = stencil_.firstBoundary() + g;
+        const label P = stencil_.owner()[i];
+        const vector& uP = values_[P];
+        const vector& uG = values_[stencil_.neighbour()[i]];
+        const tensor slope(cellMean(P, gradient_));
+        result.ref()[stencil_.ghostFaces()[g]] =
+            0.25*(3*uP + uG) + (slope & footToFace(g))
+          + 0.25*(slope & stencil_.delta()[i]);
+    }
+    return result;
+}
+
+
+Foam::tmp<Foam::symmTensorField>
+Foam::fsbi::elasticOperator::vertexStress() const
+{
+    auto result = tmp<symmTensorField>::New(mesh_.nPoints());
+    forAll(result(), v)
+    {
+        result.ref()[v] = material_.Cauchy(lawStress(v), F_[v]);
+    }
+    return result;
+}
+
+
+void Foam::fsbi::elasticOperator::endStep()
+{
+    before_ = F_;
+    if (formulation_ != formulation::totalLagrangian)
+    {
+        prior_ = F_;
+    }
+}

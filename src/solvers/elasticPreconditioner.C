@@ -1,0 +1,227 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "elasticPreconditioner.H"
+#include "sharedVertices.H"
+
+Foam::fsbi::elasticPreconditioner::elasticPreconditioner
+(
+    const fvMesh& mesh,
+    const elasticOperator& elastic,
+    const solidMaterial& material
+)
+:
+    mesh_(mesh),
+    elastic_(elastic),
+    material_(material),
+    stencil_(elastic.stencil()),
+    vertices_(mesh, elastic, material),
+    pressure_(elastic.mixed() ? mesh.nPoints() : 0, Zero),
+    rhs_(mesh.nCells(), Zero),
+    z_(mesh.nCells() + stencil_.nGhosts(), Zero)
+{}
+
+
+void Foam::fsbi::elasticPreconditioner::setRows()
+{
+    const label nCells = mesh_.nCells();
+    const label nInner = mesh_.nInternalFaces();
+    labelList fill(nCells, 0);
+    for (label i = 0; i < nInner; ++i)
+    {
+        ++fill[stencil_.owner()[i]];
+        ++fill[stencil_.neighbour()[i]];
+    }
+    rowStart_.setSize(nCells + 1);
+    rowStart_[0] = 0;
+    forAll(fill, celli)
+    {
+        rowStart_[celli + 1] = rowStart_[celli] + fill[celli];
+        fill[celli] = rowStart_[celli];
+    }
+    rowCell_.setSize(rowStart_.last());
+    rowCoeff_.setSize(rowStart_.last());
+    for (label i = 0; i < stencil_.nFaces(); ++i)
+    {
+        const label P = stencil_.owner()[i];
+        const label N = stencil_.neighbour()[i];
+        const scalar k = elastic_.stiffness()*stencil_.compact()[i];
+        if (i < nInner)
+        {
+            rowCell_[fill[P]] = N;
+            rowCoeff_[fill[P]++] = k;
+            rowCell_[fill[N]] = P;
+            rowCoeff_[fill[N]++] = k;
+            diagonal_[N] += k;
+        }
+        if (i < stencil_.firstBoundary())
+        {
+            diagonal_[P] += k;
+        }
+        else
+        {
+            const label g = i - stencil_.firstBoundary();
+            const auto kind = elastic_.kinds()[stencil_.ghostFaces()[g]];
+            diagonal_[P] +=
+                kind == solidBoundary::displacement ? 2*k
+              : kind == solidBoundary::symmetry ? 2*k/3
+              : 0;
+        }
+    }
+}
+
+
+void Foam::fsbi::elasticPreconditioner::setDiagonal(const scalarField& mass)
+{
+    diagonal_ = mass;
+    setRows();
+}
+
+
+void Foam::fsbi::elasticPreconditioner::rebuild(const scalarField& mass)
+{
+    vertices_.rebuild(mass);
+}
+
+
+void Foam::fsbi::elasticPreconditioner::sweep
+(
+    const vectorField& r, vectorField& z
+) const
+{
+    const auto relax = [&](const label celli)
+    {
+        vector sum(r[celli]);
+        for (label j = rowStart_[celli]; j < rowStart_[celli + 1]; ++j)
+        {
+            sum += rowCoeff_[j]*z[rowCell_[j]];
+        }
+        z[celli] = sum/diagonal_[celli];
+    };
+    z = Zero;
+    for (label celli = 0; celli < r.size(); ++celli)
+    {
+        relax(celli);
+    }
+    for (label celli = r.size() - 1; celli >= 0; --celli)
+    {
+        relax(celli);
+    }
+}
+
+
+void Foam::fsbi::elasticPreconditioner::addGhosts(const scalar* r) const
+{
+    const vector* ghostRow =
+        reinterpret_cast<const vector*>(r) + mesh_.nCells();
+    for (label g = 0; g < stencil_.nGhosts(); ++g)
+    {
+        const label i = stencil_.firstBoundary() + g;
+        if
+        (
+            elastic_.kinds()[stencil_.ghostFaces()[g]]
+         == solidBoundary::displacement
+        )
+        {
+            rhs_[stencil_.owner()[i]] +=
+                elastic_.stiffness()*stencil_.compact()[i]*ghostRow[g];
+        }
+    }
+}
+
+
+void Foam::fsbi::elasticPreconditioner::addPressures
+(
+    const scalar* r, scalar* z
+) const
+{
+    if (!elastic_.mixed())
+    {
+        return;
+    }
+    const label start = 3*(mesh_.nCells() + stencil_.nGhosts());
+    const labelList& owned = elastic_.ownedVertices();
+    pressure_ = Zero;
+    forAll(owned, i)
+    {
+        const scalar compliance =
+            1/material_.lambda() + 1/(2*material_.mu());
+        z[start + i] =
+            r[start + i]
+           /(stencil_.vertexVolume()[owned[i]]*compliance);
+        pressure_[owned[i]] = z[start + i];
+    }
+    sharedVertices::sum<1>(mesh_, pressure_.begin(), stencil_.halo().size());
+    for (label i = 0; i < stencil_.nFaces(); ++i)
+    {
+        scalar mean = 0;
+        const label first = stencil_.faceStart()[i];
+        const label end = stencil_.faceStart()[i + 1];
+        for (label j = first; j < end; ++j)
+        {
+            mean += pressure_[stencil_.faceVertex()[j]]/(end - first);
+        }
+        const label g = i - stencil_.firstBoundary();
+        if
+        (
+            g < 0
+         || elastic_.kinds()[stencil_.ghostFaces()[g]]
+         != solidBoundary::traction
+        )
+        {
+            const vector force(mean*stencil_.area()[i]);
+            rhs_[stencil_.owner()[i]] -= force;
+            if (stencil_.neighbour()[i] < mesh_.nCells())
+            {
+                rhs_[stencil_.neighbour()[i]] += force;
+            }
+        }
+    }
+}
+
+
+void Foam::fsbi::elasticPreconditioner::setGhosts(const scalar* r) const
+{
+    const label nCells = mesh_.nCells();
+    const vector* row = reinterpret_cast<const vector*>(r) + nCells;
+    for (label g = 0; g < stencil_.nGhosts(); ++g)
+    {
+        const label i = stencil_.firstBoundary() + g;
+        const vector& u = z_[stencil_.owner()[i]];
+        vector& ghost = z_[nCells + g];
+        switch (elastic_.kinds()[stencil_.ghostFaces()[g]])
+        {
+            case solidBoundary::displacement:
+                ghost = row[g] - u;
+                break;
+            case solidBoundary::traction:
+                ghost = row[g] + u;
+                break;
+            default:
+            {
+                const vector n(normalised(stencil_.area()[i]));
+                ghost = row[g] + u - 2*n*(n & u);
+            }
+        }
+    }
+}
+
+
+void Foam::fsbi::elasticPreconditioner::apply
+(
+    const scalar* r, scalar* z
+) const
+{
+    std::copy_n
+    (
+        reinterpret_cast<const vector*>(r), mesh_.nCells(), rhs_.begin()
+    );
+    addGhosts(r);
+    addPressures(r, z);
+    sweep(rhs_, z_);
+    setGhosts(r);
+    vertices_.addCorrection(rhs_, z_);
+    std::copy_n(z_.begin()->v_, 3*z_.size(), z);
+}

@@ -1,0 +1,29 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "NewtonKrylov.H"
+
+Foam::autoPtr<Foam::fsbi::solidSolver> Foam::fsbi::solidSolver::New
+(
+    const fvMesh& mesh,
+    elasticOperator& elastic,
+    const solidMaterial& material,
+    const dictionary& dict
+)
+{
+    const checkedDictionary entries(dict);
+    entries.found("formulation");
+    entries.found("mixed");
+    const word method
+    (
+        entries.choice("method", {"NewtonKrylov"}, "NewtonKrylov")
+    );
+    autoPtr<solidSolver> solver
+    (
+        new NewtonKrylov(mesh, elastic, material, entries)
+    );
+    entries.finish();
+    return solver;
+}

@@ -1,0 +1,390 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "vertexElasticity.H"
+#include "sharedVertices.H"
+#include "globalIndex.H"
+#include "syncTools.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Stiffness of supports over that of the material
+static const scalar supportStiffness = 100;
+
+//- Lame's lambda over mu where the operator has a pressure of its own
+static const scalar mixedLambda = 2;
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::fsbi::vertexElasticity::vertexElasticity
+(
+    const fvMesh& mesh,
+    const elasticOperator& elastic,
+    const solidMaterial& material
+)
+:
+    mesh_(mesh),
+    elastic_(elastic),
+    material_(material),
+    vertices_(mesh.nPoints(), Zero)
+{
+    setNumbers();
+}
+
+
+void Foam::fsbi::vertexElasticity::setNumbers()
+{
+    owned_ = syncTools::getMasterPoints(mesh_).toc();
+    const globalIndex global(owned_.size());
+    global_ = labelList(mesh_.nPoints(), -1);
+    forAll(owned_, i)
+    {
+        global_[owned_[i]] = global.toGlobal(i);
+    }
+    syncTools::syncPointList(mesh_, global_, maxEqOp<label>(), label(-1));
+}
+
+
+void Foam::fsbi::vertexElasticity::createMatrix()
+{
+    // vertices of the cells around a vertex; those of other processors are
+    // not known here, but are fewer than all
+    List<DynamicList<label>> beside(mesh_.nPoints());
+    for (const labelList& points : mesh_.cellPoints())
+    {
+        for (const label v : points)
+        {
+            beside[v].append(points);
+        }
+    }
+    scalarField nBeside(mesh_.nPoints());
+    forAll(beside, v)
+    {
+        labelList& list = beside[v];
+        Foam::sort(list);
+        nBeside[v] = std::unique(list.begin(), list.end()) - list.begin();
+    }
+    sharedVertices::sum<1>
+    (
+        mesh_, nBeside.begin(), elastic_.stencil().halo().size()
+    );
+
+    List<PetscInt> diagonal(owned_.size()), off(owned_.size(), 0);
+    forAll(owned_, i)
+    {
+        const PetscInt n = nBeside[owned_[i]];
+        diagonal[i] = min(n, PetscInt(owned_.size()));
+        off[i] = Pstream::parRun() ? n : 0;
+    }
+    const PetscInt n = 3*owned_.size();
+    petscCheck(MatCreate(PETSC_COMM_WORLD, matrix_.create()));
+    petscCheck(MatSetSizes(matrix_, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
+    petscCheck(MatSetType(matrix_, MATAIJ));
+    petscCheck(MatSetBlockSize(matrix_, 3));
+    petscCheck
+    (
+        MatXAIJSetPreallocation
+        (
+            matrix_, 3, diagonal.cdata(), off.cdata(), nullptr, nullptr
+        )
+    );
+    petscCheck
+    (
+        MatSetOption(matrix_, MAT_NEW_NONZERO_ALLOCATION_ERR, PETSC_FALSE)
+    );
+    petscCheck(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
+    petscCheck(MatCreateVecs(matrix_, solution_.create(), source_.create()));
+    setRigidMotions();
+}
+
+
+void Foam::fsbi::vertexElasticity::setRigidMotions()
+{
+    petscVector places;
+    petscCheck(VecDuplicate(solution_, places.create()));
+    petscCheck(VecSetBlockSize(places, 3));
+    PetscScalar* x;
+    VecGetArray(places, &x);
+    forAll(owned_, i)
+    {
+        std::copy_n(mesh_.points()[owned_[i]].v_, 3, x + 3*i);
+    }
+    VecRestoreArray(places, &x);
+    petscCheck(MatNullSpaceCreateRigidBody(places, rigid_.create()));
+    petscCheck(MatSetNearNullSpace(matrix_, rigid_));
+}
+
+
+Foam::vectorField Foam::fsbi::vertexElasticity::gradientVectors
+(
+    const label celli
+) const
+{
+    const labelList& points = mesh_.cellPoints()[celli];
+    vectorField B(points.size(), Zero);
+    for (const label facei : mesh_.cells()[celli])
+    {
+        const face& f = mesh_.faces()[facei];
+        const scalar sign = mesh_.faceOwner()[facei] == celli ? 1 : -1;
+        const vector share
+        (
+            sign*mesh_.faceAreas()[facei]/(f.size()*mesh_.cellVolumes()[celli])
+        );
+        for (const label v : f)
+        {
+            B[points.find(v)] += share;
+        }
+    }
+    tensor linear(Zero);
+    forAll(points, i)
+    {
+        linear += B[i]*(mesh_.points()[points[i]] - mesh_.cellCentres()[celli]);
+    }
+    const tensor correction(inv(linear));
+    for (vector& b : B)
+    {
+        b = correction & b;
+    }
+    return B;
+}
+
+
+void Foam::fsbi::vertexElasticity::setGhostWeights()
+{
+    const elasticStencil& stencil = elastic_.stencil();
+    ghostWeights_.setSize(stencil.nGhosts());
+    forAll(ghostWeights_, g)
+    {
+        const label i = stencil.firstBoundary() + g;
+        const vectorField B(gradientVectors(stencil.owner()[i]));
+        ghostWeights_[g] = scalarList(1.0/B.size() + (B & stencil.delta()[i]));
+    }
+}
+
+
+Foam::tensor Foam::fsbi::vertexElasticity::tangent
+(
+    const tensor& F, const tensor& dF
+) const
+{
+    if (!elastic_.mixed())
+    {
+        return material_.tangent(F, dF);
+    }
+    const tensor Q(material_.thetaGradient(F));
+    return
+        material_.shearTangent(F, dF)
+      + mixedLambda*material_.mu()*(Q && dF)*Q;
+}
+
+
+Foam::scalarSquareMatrix Foam::fsbi::vertexElasticity::penalty
+(
+    const label celli, const vectorField& B
+) const
+{
+    const labelList& points = mesh_.cellPoints()[celli];
+    const label n = points.size();
+    vector middle(Zero);
+    for (const label v : points)
+    {
+        middle += mesh_.points()[v]/n;
+    }
+    scalarSquareMatrix rest(n);
+    for (label i = 0; i < n; ++i)
+    {
+        const vector d(mesh_.points()[points[i]] - middle);
+        for (label j = 0; j < n; ++j)
+        {
+            rest(i, j) = (i == j) - 1.0/n - (d & B[j]);
+        }
+    }
+    return
+        material_.mu()*cbrt(mesh_.cellVolumes()[celli])
+       *scalarSquareMatrix(rest.T()*rest);
+}
+
+
+void Foam::fsbi::vertexElasticity::addCell(const label celli)
+{
+    const labelList& points = mesh_.cellPoints()[celli];
+    const label n = points.size();
+    const scalar V = mesh_.cellVolumes()[celli];
+    const vectorField B(gradientVectors(celli));
+    const scalarSquareMatrix extra(penalty(celli, B));
+
+    tensor F(Zero);
+    rows_.setSize(n);
+    entries_.setSize(9*n*n);
+    forAll(points, i)
+    {
+        F += elastic_.deformation()[points[i]]/n;
+        rows_[i] = global_[points[i]];
+    }
+    for (label j = 0; j < n; ++j)
+    {
+        for (direction l = 0; l < 3; ++l)
+        {
+            tensor dF(Zero);
+            dF(l, 0) = B[j].x();
+            dF(l, 1) = B[j].y();
+            dF(l, 2) = B[j].z();
+            const tensor dP(V*tangent(F, dF));
+            for (label i = 0; i < n; ++i)
+            {
+                const vector force(dP & B[i]);
+                PetscScalar* entry = entries_.data() + 9*n*i + 3*j + l;
+                for (direction k = 0; k < 3; ++k)
+                {
+                    entry[3*n*k] = force[k] + (k == l ? extra(i, j) : 0);
+                }
+            }
+        }
+    }
+    petscCheck
+    (
+        MatSetValuesBlocked
+        (
+            matrix_, n, rows_.cdata(), n, rows_.cdata(), entries_.cdata(),
+            ADD_VALUES
+        )
+    );
+}
+
+
+void Foam::fsbi::vertexElasticity::addSupports()
+{
+    const elasticStencil& stencil = elastic_.stencil();
+    for (label g = 0; g < stencil.nGhosts(); ++g)
+    {
+        const auto kind = elastic_.kinds()[stencil.ghostFaces()[g]];
+        if (kind == solidBoundary::traction)
+        {
+            continue;
+        }
+        const label i = stencil.firstBoundary() + g;
+        const vector n(normalised(stencil.area()[i]));
+        const face& f = mesh_.faces()[stencil.face()[i]];
+        const tensor stiff
+        (
+            supportStiffness*elastic_.stiffness()*stencil.compact()[i]/f.size()
+           *(kind == solidBoundary::symmetry ? n*n : tensor::I)
+        );
+        for (const label v : f)
+        {
+            const PetscInt row = global_[v];
+            petscCheck
+            (
+                MatSetValuesBlocked
+                (
+                    matrix_, 1, &row, 1, &row, stiff.v_, ADD_VALUES
+                )
+            );
+        }
+    }
+}
+
+
+void Foam::fsbi::vertexElasticity::rebuild(const scalarField& mass)
+{
+    if (!matrix_)
+    {
+        createMatrix();
+    }
+    petscCheck(MatZeroEntries(matrix_));
+    setGhostWeights();
+    addSupports();
+    forAll(mesh_.cells(), celli)
+    {
+        addCell(celli);
+        const labelList& points = mesh_.cellPoints()[celli];
+        const tensor m(mass[celli]/points.size()*tensor::I);
+        for (const label v : points)
+        {
+            const PetscInt row = global_[v];
+            if (mass[celli] > 0)
+            {
+                MatSetValuesBlocked(matrix_, 1, &row, 1, &row, m.v_, ADD_VALUES);
+            }
+        }
+    }
+    petscCheck(MatAssemblyBegin(matrix_, MAT_FINAL_ASSEMBLY));
+    petscCheck(MatAssemblyEnd(matrix_, MAT_FINAL_ASSEMBLY));
+
+    PC pc;
+    petscCheck(KSPCreate(PETSC_COMM_WORLD, cycle_.create()));
+    petscCheck(KSPSetType(cycle_, KSPPREONLY));
+    petscCheck(KSPGetPC(cycle_, &pc));
+    petscCheck(PCSetType(pc, PCGAMG));
+    petscCheck(KSPSetOptionsPrefix(cycle_, "fsbiSolid_"));
+    petscCheck(KSPSetFromOptions(cycle_));
+    petscCheck(KSPSetOperators(cycle_, matrix_, matrix_));
+    petscCheck(KSPSetUp(cycle_));
+}
+
+
+void Foam::fsbi::vertexElasticity::addCorrection
+(
+    const vectorField& f, vectorField& u
+) const
+{
+    const label nHalo = elastic_.stencil().halo().size();
+    vertices_ = Zero;
+    forAll(f, celli)
+    {
+        const labelList& points = mesh_.cellPoints()[celli];
+        const vector share(f[celli]/points.size());
+        for (const label v : points)
+        {
+            vertices_[v] += share;
+        }
+    }
+    sharedVertices::sum<3>(mesh_, vertices_.begin()->v_, nHalo);
+
+    PetscScalar* source;
+    VecGetArray(source_, &source);
+    forAll(owned_, i)
+    {
+        std::copy_n(vertices_[owned_[i]].v_, 3, source + 3*i);
+    }
+    VecRestoreArray(source_, &source);
+    petscCheck(KSPSolve(cycle_, source_, solution_));
+
+    vertices_ = Zero;
+    const PetscScalar* result;
+    VecGetArrayRead(solution_, &result);
+    forAll(owned_, i)
+    {
+        std::copy_n(result + 3*i, 3, vertices_[owned_[i]].v_);
+    }
+    VecRestoreArrayRead(solution_, &result);
+    sharedVertices::sum<3>(mesh_, vertices_.begin()->v_, nHalo);
+
+    forAll(f, celli)
+    {
+        const labelList& points = mesh_.cellPoints()[celli];
+        vector sum(Zero);
+        for (const label v : points)
+        {
+            sum += vertices_[v];
+        }
+        u[celli] += sum/points.size();
+    }
+    const elasticStencil& stencil = elastic_.stencil();
+    forAll(ghostWeights_, g)
+    {
+        const label P = stencil.owner()[stencil.firstBoundary() + g];
+        const labelList& points = mesh_.cellPoints()[P];
+        forAll(points, i)
+        {
+            u[f.size() + g] += ghostWeights_[g][i]*vertices_[points[i]];
+        }
+    }
+}
