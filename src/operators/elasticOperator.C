@@ -33,7 +33,7 @@ inline tensor cofactorTangent(const tensor& F, const tensor& dF)
 {
     const tensor inverse(inv(F));
     const tensor turned(inverse & dF);
-    return det(F)*(tr(turned)*tensor::I - turned.T()) & inverse.T();
+    return det(F)*(tr(turned)*inverse - (turned & inverse)).T();
 }
 
 } // End namespace fsbi
@@ -58,6 +58,7 @@ Foam::fsbi::elasticOperator::elasticOperator
     deltaT_(GREAT),
     prior_(mesh.nPoints(), tensor::I),
     before_(mesh.nPoints(), tensor::I),
+    carried_(stencil_.nFaces(), Zero),
     values_(stencil_.nColumns(), Zero),
     gradient_(mesh.nPoints(), Zero),
     F_(mesh.nPoints(), tensor::I),
@@ -303,11 +304,23 @@ void Foam::fsbi::elasticOperator::setStress()
 }
 
 
+Foam::vector Foam::fsbi::elasticOperator::unexplained
+(
+    const label i, const vectorField& values, const tensorField& gradient
+) const
+{
+    return
+        values[stencil_.neighbour()[i]] - values[stencil_.owner()[i]]
+      - (faceMean(i, gradient) & (stencil_.delta()[i] - carried_[i]));
+}
+
+
 void Foam::fsbi::elasticOperator::addFaces
 (
     const vectorField& values,
     const tensorField& gradient,
     const tensorField& stress,
+    const bool homogeneous,
     vectorField& force,
     scalar* r
 ) const
@@ -321,15 +334,15 @@ void Foam::fsbi::elasticOperator::addFaces
     {
         const label P = stencil_.owner()[i];
         const label N = stencil_.neighbour()[i];
-        const vector unexplained
-        (
-            values[N] - values[P]
-          - (faceMean(i, gradient) & stencil_.delta()[i])
-        );
+        vector rest(unexplained(i, values, gradient));
+        if (!homogeneous)
+        {
+            rest += carried_[i];
+        }
         const vector T
         (
             (faceMean(i, stress) & stencil_.area()[i])
-          + mu*stencil_.compact()[i]*unexplained
+          + mu*stencil_.compact()[i]*rest
         );
         if (i >= firstBoundary)
         {
@@ -492,7 +505,7 @@ void Foam::fsbi::elasticOperator::residual
     setGradient(values_, gradient_);
     setPressure(x, pressure_);
     setStress();
-    addFaces(values_, gradient_, stress_, boundaryForce_, r);
+    addFaces(values_, gradient_, stress_, false, boundaryForce_, r);
 
     vectorField loads(nGhosts());
     forAll(loads, g)
@@ -539,7 +552,7 @@ void Foam::fsbi::elasticOperator::tangent(const scalar* dx, scalar* dr) const
             volume[v] = material_.thetaGradient(F_[v]) && dF;
         }
     }
-    addFaces(dValues_, dGradient_, dStress_, dBoundaryForce_, dr);
+    addFaces(dValues_, dGradient_, dStress_, true, dBoundaryForce_, dr);
 
     vectorField loads(nGhosts());
     forAll(loads, g)
@@ -632,5 +645,9 @@ void Foam::fsbi::elasticOperator::endStep()
     if (formulation_ != formulation::totalLagrangian)
     {
         prior_ = F_;
+        forAll(carried_, i)
+        {
+            carried_[i] += unexplained(i, values_, gradient_);
+        }
     }
 }

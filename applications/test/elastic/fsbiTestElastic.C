@@ -5,67 +5,341 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Application
     fsbiTestElastic
 
+Description
+    Checks of the elastic operator and its solvers on every kind of cell:
+    linear fields are exact, the derivative is that of the residual, rotation
+    makes no stress, beams bend as they should, also where nothing can be
+    compressed, and all methods find the same.
+
 \*---------------------------------------------------------------------------*/
 
 #include "petscObjects.H"
-#include "elasticCase.H"
+#include "beam.H"
 #include "checks.H"
-#include "testMeshes.H"
 #include "argList.H"
-#include "clockTime.H"
+#include "mathematicalConstants.H"
+#include "quaternion.H"
 
 using namespace Foam;
 using namespace Foam::fsbi;
 
-static void beam(const word& kind, const label across, const scalar L, const string& law, const bool mixed, const string& controls)
+typedef elasticOperator::formulation formulation;
+
+static const boundBox cube(point(-1, -1, -1), point(1, 1, 1));
+
+static const string hooke("type linearElastic; E 1; nu 0.3;");
+
+static solidBoundary::kind allGiven(const point&)
 {
-    const boundBox box(point(0, -0.5, -0.5), point(L, 0.5, 0.5));
-    const testMeshes meshes(box);
-    autoPtr<fvMesh> mesh(meshes.mesh(kind, label(across*L + 0.5)));
-    clockTime clock;
-    elasticCase c
-    (
-        mesh(), law,
-        [&](const point& p){ return p.x() < 1e-9 ? solidBoundary::displacement : solidBoundary::traction; },
-        elasticOperator::formulation::totalLagrangian, mixed
-    );
-    const scalar tau = 1e-6;
-    c.give
-    (
-        [](const point& p){ return vector::zero; },
-        [&](const point& p, const vector& n){ return p.x() > L - 1e-9 ? vector(0, tau, 0) : vector::zero; }
-    );
-    const scalar setup = clock.timeIncrement();
-    c.solve(controls);
-    const scalar seconds = clock.timeIncrement();
-    scalar tip = 0, V = 0;
-    const vectorField ub(c.elastic->boundaryDisplacement());
-    forAll(ub, i)
-    {
-        const label f = mesh->nInternalFaces() + i;
-        if (mesh->faceCentres()[f].x() > L - 1e-9)
-        {
-            const scalar A = mag(mesh->faceAreas()[f]);
-            tip += A*ub[i].y(); V += A;
-        }
-    }
-    tip /= V;
-    const scalar E = c.material->E(), G = c.material->mu(), nu = c.material->nu();
-    const scalar k = 10*(1 + nu)/(12 + 11*nu);
-    const scalar theory = tau*(pow3(L)/(3*E/12) + L/(k*G));
-    Info<< kind << " across " << across << " L " << L << " nu " << nu << " mixed " << mixed << " cells " << mesh->nCells()
-        << " its " << c.report.iterations << " newton " << c.report.corrections << " res " << c.report.residual
-        << " conv " << c.report.converged << " tip-1 " << tip/theory - 1 << " setup " << setup << " solve " << seconds << " " << c.report.failure.c_str() << endl;
+    return solidBoundary::displacement;
 }
+
+static solidBoundary::kind allFree(const point&)
+{
+    return solidBoundary::traction;
+}
+
+//- Displacements at cells and ghosts from a function of the place
+static void set(elasticCase& c, const elasticCase::vectorFunction& u)
+{
+    const elasticStencil& stencil = c.elastic->stencil();
+    const vectorField C(stencil.centres());
+    const auto put = [&](const label column, const label row)
+    {
+        const vector value(u(C[column]));
+        std::copy_n(value.v_, 3, c.x.begin() + 3*row);
+    };
+    for (label i = 0; i < stencil.nCells(); ++i)
+    {
+        put(i, i);
+    }
+    for (label g = 0; g < stencil.nGhosts(); ++g)
+    {
+        put(stencil.firstGhost() + g, stencil.nCells() + g);
+    }
+}
+
+
+static scalar maxOf(const scalarList& r, const label n)
+{
+    scalar most = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        most = max(most, mag(r[i]));
+    }
+    return most;
+}
+
+
+//- A linear field is a solution, whatever is given of it
+static void checkLinear(checks& c, const testMeshes& meshes, const word& kind)
+{
+    const tensor H(0.1, 0.2, -0.3, 0.05, -0.1, 0.2, 0.3, -0.1, 0.15);
+    const auto u = [&](const point& p){ return vector((H & p) + vector(1, 2, 3)); };
+    autoPtr<fvMesh> mesh(meshes.mesh(kind, 4));
+    for (const bool free : {false, true})
+    {
+        elasticCase body(mesh(), hooke, free ? allFree : allGiven);
+        const symmTensor sigma(body.material->Cauchy
+        (
+            body.material->stress(tensor::I + H), tensor::I + H
+        ));
+        body.give
+        (
+            u, [&](const point&, const vector& n){ return vector(sigma & n); }
+        );
+        set(body, u);
+        scalarList r(body.x.size());
+        body.elastic->residual(body.x.cdata(), body.given, r.begin());
+        c.checkClose
+        (
+            kind + ": linear field, " + (free ? "tractions" : "displacements")
+          + " given, residual",
+            maxOf(r, r.size()), 0, 1e-12
+        );
+        const vectorField atFaces(body.elastic->boundaryDisplacement());
+        const vectorField atVertices(body.elastic->vertexDisplacement());
+        scalar most = 0;
+        forAll(atFaces, i)
+        {
+            most = max
+            (
+                most,
+                mag
+                (
+                    atFaces[i]
+                  - u(mesh->faceCentres()[mesh->nInternalFaces() + i])
+                )
+            );
+        }
+        forAll(atVertices, v)
+        {
+            most = max(most, mag(atVertices[v] - u(mesh->points()[v])));
+        }
+        c.checkClose(kind + ": its faces and vertices", most, 0, 1e-12);
+    }
+}
+
+
+//- The derivative against central differences of the residual
+static void checkTangent
+(
+    checks& c,
+    const fvMesh& mesh,
+    const string& law,
+    const formulation form,
+    const bool mixed
+)
+{
+    elasticCase body
+    (
+        mesh, law,
+        [](const point& p)
+        {
+            return
+                p.x() < -0.99 ? solidBoundary::displacement
+              : p.y() < -0.99 ? solidBoundary::symmetry
+              : solidBoundary::traction;
+        },
+        form, mixed
+    );
+    body.give
+    (
+        [](const point& p){ return vector(0.1, 0, 0); },
+        [](const point& p, const vector& n){ return 0.1*n; }
+    );
+    body.given.pressure = 0.05;
+    body.given.follower = vector(0.01, 0.02, 0.03);
+    body.elastic->setStep(2);
+    tensorField& prior = body.elastic->prior();
+    for (label v = 0; form != formulation::totalLagrangian && v < prior.size(); ++v)
+    {
+        prior[v] = tensor(1.1, 0.1, 0, -0.2, 0.9, 0.1, 0, 0.1, 1.05);
+    }
+    body.elastic->before() = prior;
+
+    const label n = body.x.size();
+    scalarList dx(n), plus(n), minus(n), dr(n);
+    forAll(dx, i)
+    {
+        body.x[i] = 0.02*noise(i);
+        dx[i] = noise(i + n);
+    }
+    const scalar step = 1e-5;
+    const auto evaluate = [&](const scalar s, scalarList& r)
+    {
+        scalarList y(body.x);
+        forAll(y, i)
+        {
+            y[i] += s*dx[i];
+        }
+        body.elastic->residual(y.cdata(), body.given, r.begin());
+    };
+    evaluate(step, plus);
+    evaluate(-step, minus);
+    scalarList r(n);
+    evaluate(0, r);
+    body.elastic->tangent(dx.cdata(), dr.begin());
+    scalar most = 0;
+    forAll(dr, i)
+    {
+        most = max(most, mag(dr[i] - (plus[i] - minus[i])/(2*step)));
+    }
+    c.checkClose
+    (
+        "derivative of " + law.substr(5, law.find(';') - 5) + ", "
+      + elasticOperator::formulationNames[form] + (mixed ? ", mixed" : ""),
+        most/maxOf(dr, n), 0, 1e-7
+    );
+}
+
+
+//- Stress over E of a body turned about an odd axis, in one step or many
+static scalar rotationStress
+(
+    const fvMesh& mesh, const formulation form, const scalar angle
+)
+{
+    elasticCase body
+    (
+        mesh, "type StVenantKirchhoff; E 1; nu 0.3;", allGiven, form
+    );
+    const vector axis(normalised(vector(1, 2, 3)));
+    const quaternion q(axis, angle);
+    set(body, [&](const point& p){ return q.transform(p) - p; });
+    scalarList r(body.x.size());
+    body.elastic->residual(body.x.cdata(), body.given, r.begin());
+    return max(mag(body.elastic->vertexStress()));
+}
+
+
+static void checkRotation(checks& c, const testMeshes& meshes, const word& kind)
+{
+    autoPtr<fvMesh> mesh(meshes.mesh(kind, 4));
+    for (const label degrees : {10, 90, 179})
+    {
+        c.checkClose
+        (
+            kind + ": stress of a rotation by " + std::to_string(degrees),
+            rotationStress
+            (
+                mesh(), formulation::totalLagrangian,
+                degrees*constant::mathematical::pi/180
+            ),
+            0, 1e-12
+        );
+    }
+}
+
+
+//- 36 steps of 10 degrees, the mesh moving along
+static void checkRotationSteps
+(
+    checks& c, const testMeshes& meshes, const formulation form
+)
+{
+    autoPtr<fvMesh> mesh(meshes.mesh("tetrahedra", 4));
+    elasticCase body
+    (
+        mesh(), "type StVenantKirchhoff; E 1; nu 0.3;", allGiven, form
+    );
+    const quaternion q(normalised(vector(1, 2, 3)), constant::mathematical::pi/18);
+    scalar most = 0;
+    for (label step = 0; step < 36; ++step)
+    {
+        const auto u = [&](const point& p){ return q.transform(p) - p; };
+        body.give(u, [](const point&, const vector&){ return vector::zero; });
+        body.x = 0;
+        body.solve("tolerance 1e-13;");
+        most = max(most, max(mag(body.elastic->vertexStress())));
+        mesh->movePoints
+        (
+            mesh->points() + body.elastic->vertexDisplacement()
+        );
+        mesh->moving(false);
+        body.elastic->endStep();
+        body.elastic->update();
+    }
+    c.checkClose
+    (
+        elasticOperator::formulationNames[form]
+      + ": largest stress over E in 36 steps of 10 degrees",
+        most, 0, 1e-10
+    );
+}
+
+
+static void checkBending(checks& c)
+{
+    // deflection over Timoshenko's, and iterations, at most
+    const auto bends =
+        [&](beam b, const scalar bound, const label iterations)
+        {
+            b.solve();
+            c.check(b.name() + ": converged", b.report.converged);
+            c.checkClose(b.name() + ": deflection", b.ratio(), 1, bound);
+            c.check
+            (
+                b.name() + ": iterations", b.report.iterations <= iterations,
+                std::to_string(b.report.iterations)
+            );
+        };
+    bends({"hexahedra", 8, 5, 0.3}, 0.02, 60);
+    bends({"hexahedra", 4, 40, 0.3}, 0.03, 80);
+    bends({"tetrahedra", 8, 5, 0.3}, 0.02, 70);
+    bends({"tetrahedra", 4, 20, 0.3}, 0.05, 95);
+    bends({"polyhedra", 4, 5, 0.3}, 0.1, 95);
+    bends({"hexahedra", 8, 5, 0.49}, 0.03, 90);
+    bends({"hexahedra", 8, 5, 0.499}, 0.03, 90);
+    bends({"tetrahedra", 8, 5, 0.499}, 0.03, 100);
+}
+
 
 int main(int argc, char *argv[])
 {
     argList::noParallel();
     argList::noFunctionObjects();
-    argList::addArgument("kind"); argList::addArgument("across"); argList::addArgument("L"); argList::addArgument("law"); argList::addArgument("mixed"); argList::addArgument("controls");
     argList args(argc, argv);
     petscSession petsc;
     const untrapped scope;
-    beam(word(args[1]), args.get<label>(2), args.get<scalar>(3), args[4], args.get<bool>(5), args[6]);
-    return 0;
+
+    checks c;
+    const testMeshes meshes(cube);
+    for (const word& kind : testMeshes::kinds())
+    {
+        checkLinear(c, meshes, kind);
+        checkRotation(c, meshes, kind);
+    }
+    autoPtr<fvMesh> mesh(meshes.mesh("tetrahedra", 3));
+    for (const word law : {"StVenantKirchhoff", "neoHookean", "MooneyRivlin"})
+    {
+        for (const bool mixed : {false, true})
+        {
+            const string entries
+            (
+                "type " + law + "; E 1; nu 0.4; viscosity 0.3;"
+            );
+            for
+            (
+                const auto form :
+                {
+                    formulation::totalLagrangian,
+                    formulation::updatedLagrangian,
+                    formulation::slowProcess
+                }
+            )
+            {
+                checkTangent(c, mesh(), entries, form, mixed);
+            }
+        }
+    }
+    checkTangent
+    (
+        c, mesh(), "type linearElastic; E 1; nu 0.4; viscosity 0.3;",
+        formulation::totalLagrangian, true
+    );
+    checkRotationSteps(c, meshes, formulation::updatedLagrangian);
+    checkRotationSteps(c, meshes, formulation::slowProcess);
+    checkBending(c);
+    return c.finish();
 }
