@@ -110,6 +110,12 @@ Foam::scalar Foam::fsbi::elasticOperator::stiffness() const
 }
 
 
+Foam::scalar Foam::fsbi::elasticOperator::normalStiffness() const
+{
+    return 2*material_.mu() + (mixed_ ? 0 : material_.lambda());
+}
+
+
 void Foam::fsbi::elasticOperator::gather
 (
     const scalar* x, vectorField& values
@@ -442,9 +448,15 @@ void Foam::fsbi::elasticOperator::addBoundary
             }
             case solidBoundary::traction:
             {
+                const vector n(normalised(stencil_.area()[i]));
+                const vector excess
+                (
+                    (force[g] - load[g])/stencil_.compact()[i]
+                );
                 row[P] -= load[g];
                 ghostRow[g] =
-                    (force[g] - load[g])/(stiffness()*stencil_.compact()[i]);
+                    (excess - n*(n & excess))/material_.mu()
+                  + n*(n & excess)/normalStiffness();
                 break;
             }
             default:

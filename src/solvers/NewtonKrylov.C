@@ -4,7 +4,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "NewtonKrylov.H"
-#include "PstreamReduceOps.H"
 
 namespace Foam
 {
@@ -41,8 +40,7 @@ Foam::fsbi::NewtonKrylov::NewtonKrylov
     tolerance_(entries.positive("tolerance", 1e-8)),
     maxIterations_(entries.getOrDefault<label>("maxIterations", 40)),
     linear_(material.linear()),
-    scale_(elastic.size()),
-    residual_(elastic.size()),
+    residual_(mesh, elastic, material),
     row_(elastic.size()),
     dx_(elastic.size())
 {}
@@ -82,78 +80,6 @@ void Foam::fsbi::NewtonKrylov::createKrylov()
 }
 
 
-void Foam::fsbi::NewtonKrylov::setScale()
-{
-    const label nCells = mesh_.nCells();
-    const label nGhosts = elastic_.nGhosts();
-    const scalarField& volume = elastic_.stencil().vertexVolume();
-    forAll(preconditioner_.diagonal(), celli)
-    {
-        for (label k = 0; k < 3; ++k)
-        {
-            scale_[3*celli + k] = 1/preconditioner_.diagonal()[celli];
-        }
-    }
-    std::fill_n(scale_.begin() + 3*nCells, 3*nGhosts, scalar(1));
-    forAll(elastic_.ownedVertices(), i)
-    {
-        const scalar V = volume[elastic_.ownedVertices()[i]];
-        scale_[3*(nCells + nGhosts) + i] = cbrt(V)/V;
-    }
-}
-
-
-bool Foam::fsbi::NewtonKrylov::evaluate(const scalarList& x, scalar& norm)
-{
-    elastic_.residual(x.cdata(), problem_->given, residual_.begin());
-    scalar sum = 0;
-    forAll(problem_->force, celli)
-    {
-        for (direction k = 0; k < 3; ++k)
-        {
-            const label i = 3*celli + k;
-            residual_[i] +=
-                problem_->mass[celli]*x[i] - problem_->force[celli][k];
-        }
-    }
-    forAll(residual_, i)
-    {
-        residual_[i] *= scale_[i];
-        sum += sqr(residual_[i]);
-    }
-    norm = sqrt(returnReduce(sum, sumOp<scalar>()));
-    return elastic_.valid() && std::isfinite(norm);
-}
-
-
-Foam::scalar Foam::fsbi::NewtonKrylov::reference(const scalarList& x) const
-{
-    scalar sum = 0;
-    forAll(mesh_.cells(), celli)
-    {
-        const scalar area = pow(mesh_.cellVolumes()[celli], 2.0/3.0);
-        const scalar force =
-            area*mag(elastic_.cellMean(celli, elastic_.stress()))
-          + mag(problem_->force[celli]);
-        sum += magSqr(force*scale_[3*celli]);
-    }
-    return sqrt(returnReduce(sum, sumOp<scalar>()));
-}
-
-
-Foam::scalar Foam::fsbi::NewtonKrylov::roundOff() const
-{
-    // a linear law sees the gradient, others see 1 + gradient
-    scalar sum = 0;
-    forAll(mesh_.cells(), celli)
-    {
-        const scalar area = pow(mesh_.cellVolumes()[celli], 2.0/3.0);
-        sum += sqr(elastic_.stiffness()*area*scale_[3*celli]);
-    }
-    return linear_ ? 0 : 1e-15*sqrt(returnReduce(sum, sumOp<scalar>()));
-}
-
-
 PetscErrorCode Foam::fsbi::NewtonKrylov::multiply(Mat A, Vec in, Vec out)
 {
     void* context;
@@ -164,17 +90,7 @@ PetscErrorCode Foam::fsbi::NewtonKrylov::multiply(Mat A, Vec in, Vec out)
     VecGetArrayRead(in, &x);
     VecGetArray(out, &y);
     self.elastic_.tangent(x, y);
-    forAll(self.problem_->mass, celli)
-    {
-        for (label i = 3*celli; i < 3*celli + 3; ++i)
-        {
-            y[i] += self.problem_->mass[celli]*x[i];
-        }
-    }
-    forAll(self.scale_, i)
-    {
-        y[i] *= self.scale_[i];
-    }
+    self.residual_.finishTangent(x, y);
     VecRestoreArray(out, &y);
     VecRestoreArrayRead(in, &x);
     return 0;
@@ -193,10 +109,7 @@ PetscErrorCode Foam::fsbi::NewtonKrylov::applyPreconditioner
     PetscScalar* z;
     VecGetArrayRead(in, &r);
     VecGetArray(out, &z);
-    forAll(self.scale_, i)
-    {
-        self.row_[i] = r[i]/self.scale_[i];
-    }
+    self.residual_.unscale(r, self.row_);
     self.preconditioner_.apply(self.row_.cdata(), z);
     VecRestoreArray(out, &z);
     VecRestoreArrayRead(in, &r);
@@ -208,11 +121,11 @@ Foam::label Foam::fsbi::NewtonKrylov::correction(const scalar accuracy)
 {
     if (!freshIterations_)
     {
-        preconditioner_.rebuild(problem_->mass);
+        preconditioner_.rebuild(residual_.problem().mass);
     }
     PetscScalar* values;
     VecGetArray(rhs_, &values);
-    std::copy(residual_.begin(), residual_.end(), values);
+    std::copy(residual_.rows().begin(), residual_.rows().end(), values);
     VecRestoreArray(rhs_, &values);
     petscCheck
     (
@@ -240,7 +153,7 @@ Foam::label Foam::fsbi::NewtonKrylov::correction(const scalar accuracy)
 }
 
 
-bool Foam::fsbi::NewtonKrylov::advance(scalarList& x, scalar& norm)
+bool Foam::fsbi::NewtonKrylov::advance(scalarList& x)
 {
     scalar part = 1;
     for (label i = 0; i < maxHalvings; ++i)
@@ -249,7 +162,7 @@ bool Foam::fsbi::NewtonKrylov::advance(scalarList& x, scalar& norm)
         {
             x[j] -= part*dx_[j];
         }
-        if (evaluate(x, norm))
+        if (residual_.evaluate(x))
         {
             return true;
         }
@@ -268,7 +181,8 @@ Foam::fsbi::solverReport Foam::fsbi::NewtonKrylov::solve
     const solidProblem& problem, scalarList& x
 )
 {
-    problem_ = &problem;
+    residual_.setProblem(problem);
+    preconditioner_.setDiagonal(problem.mass);
     if (!krylov_)
     {
         createKrylov();
@@ -281,39 +195,34 @@ Foam::fsbi::solverReport Foam::fsbi::NewtonKrylov::solve
     }
     solverReport report;
     report.corrections = 0;
-    scalar norm = 0;
-    preconditioner_.setDiagonal(problem.mass);
-    setScale();
-    if (!evaluate(x, norm))
+    if (!residual_.evaluate(x))
     {
         x = 0;
-        if (!evaluate(x, norm))
+        if (!residual_.evaluate(x))
         {
             report.failure = "the body was inside out when the step began";
             return report;
         }
     }
-    const scalar least = roundOff();
-    scalar size = max(norm, reference(x));
     while (true)
     {
-        report.residual = norm/max(size, VSMALL);
-        report.converged = norm <= max(tolerance_*size, least);
+        const scalar target = residual_.target(tolerance_);
+        report.residual = residual_.norm()/max(residual_.size(), VSMALL);
+        report.converged = residual_.norm() <= target;
         if (report.converged || report.corrections == maxIterations_)
         {
             return report;
         }
-        const scalar needed = margin*max(tolerance_*size, least)/norm;
+        const scalar needed = margin*target/residual_.norm();
         report.iterations += correction
         (
             linear_ ? needed : max(needed, forcing)
         );
         ++report.corrections;
-        if (!advance(x, norm))
+        if (!advance(x))
         {
             report.failure = "a cell is turned inside out";
             return report;
         }
-        size = max(size, reference(x));
     }
 }

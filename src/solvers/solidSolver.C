@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "NewtonKrylov.H"
+#include "segregated.H"
 
 Foam::autoPtr<Foam::fsbi::solidSolver> Foam::fsbi::solidSolver::New
 (
@@ -18,12 +19,17 @@ Foam::autoPtr<Foam::fsbi::solidSolver> Foam::fsbi::solidSolver::New
     entries.found("mixed");
     const word method
     (
-        entries.choice("method", {"NewtonKrylov"}, "NewtonKrylov")
+        entries.choice("method", {"NewtonKrylov", "segregated"}, "NewtonKrylov")
     );
-    autoPtr<solidSolver> solver
-    (
-        new NewtonKrylov(mesh, elastic, material, entries)
-    );
+    autoPtr<solidSolver> solver;
+    if (method == "segregated")
+    {
+        solver.reset(new segregated(mesh, elastic, material, entries));
+    }
+    else
+    {
+        solver.reset(new NewtonKrylov(mesh, elastic, material, entries));
+    }
     entries.finish();
     return solver;
 }

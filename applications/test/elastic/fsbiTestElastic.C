@@ -295,6 +295,24 @@ static void checkBending(checks& c)
 }
 
 
+//- Both methods find the same deflection
+static void checkMethods(checks& c)
+{
+    for (const word kind : {"hexahedra", "tetrahedra"})
+    {
+        beam coupled({kind, 3, 2, 0.3}), swept({kind, 3, 2, 0.3});
+        coupled.solve();
+        swept.solve("method segregated; tolerance 1e-8;");
+        c.check(kind + ", segregated: converged", swept.report.converged);
+        c.checkClose
+        (
+            kind + ", segregated: deflection over that of NewtonKrylov",
+            swept.deflection/coupled.deflection, 1, 1e-6
+        );
+    }
+}
+
+
 int main(int argc, char *argv[])
 {
     argList::noParallel();
@@ -341,5 +359,6 @@ int main(int argc, char *argv[])
     checkRotationSteps(c, meshes, formulation::updatedLagrangian);
     checkRotationSteps(c, meshes, formulation::slowProcess);
     checkBending(c);
+    checkMethods(c);
     return c.finish();
 }

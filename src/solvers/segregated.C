@@ -1,0 +1,229 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "segregated.H"
+#include "globalIndex.H"
+
+//- Accuracy of the solution for one component in one sweep
+static const Foam::scalar sweepAccuracy = 0.1;
+
+//- Residual over the first one at which the sweeps are given up
+static const Foam::scalar diverged = 1e4;
+
+
+Foam::fsbi::segregated::segregated
+(
+    const fvMesh& mesh,
+    elasticOperator& elastic,
+    const solidMaterial& material,
+    const checkedDictionary& entries
+)
+:
+    mesh_(mesh),
+    elastic_(elastic),
+    material_(material),
+    residual_(mesh, elastic, material),
+    tolerance_(entries.positive("tolerance", 1e-8)),
+    relaxation_(entries.positive("relaxation", 1)),
+    maxIterations_(entries.getOrDefault<label>("maxIterations", 100000)),
+    rows_(elastic.size())
+{
+    if (elastic.mixed())
+    {
+        FatalIOErrorInFunction(entries.dict())
+            << "Method 'segregated' has no pressure: give 'mixed no', or"
+            << " method NewtonKrylov" << exit(FatalIOError);
+    }
+}
+
+
+Foam::scalar Foam::fsbi::segregated::coeff(const label face) const
+{
+    return
+        (2*material_.mu() + material_.lambda())
+       *elastic_.stencil().compact()[face];
+}
+
+
+void Foam::fsbi::segregated::setMatrix(const scalarField& mass)
+{
+    const elasticStencil& stencil = elastic_.stencil();
+    const label nCells = mesh_.nCells();
+    const globalIndex global(nCells);
+    scalarList cell(stencil.nColumns());
+    for (label i = 0; i < nCells; ++i)
+    {
+        cell[i] = global.toGlobal(i);
+    }
+    stencil.halo().fill(cell.data(), 1);
+
+    DynamicList<PetscInt> rows, columns;
+    DynamicList<PetscScalar> entries;
+    const auto add = [&](const label row, const label column, const scalar k)
+    {
+        rows.append(PetscInt(cell[row]));
+        columns.append(PetscInt(cell[column]));
+        entries.append(k);
+    };
+    for (label i = 0; i < nCells; ++i)
+    {
+        add(i, i, mass[i]);
+    }
+    for (label i = 0; i < stencil.nFaces(); ++i)
+    {
+        const label P = stencil.owner()[i];
+        const label N = stencil.neighbour()[i];
+        if (i < stencil.firstBoundary())
+        {
+            add(P, P, coeff(i));
+            add(P, N, -coeff(i));
+        }
+        if (N < nCells)
+        {
+            add(N, N, coeff(i));
+            add(N, P, -coeff(i));
+        }
+        const label g = i - stencil.firstBoundary();
+        if
+        (
+            g >= 0
+         && elastic_.kinds()[stencil.ghostFaces()[g]]
+         != solidBoundary::traction
+        )
+        {
+            add(P, P, 2*coeff(i));
+        }
+    }
+    const PetscInt n = nCells;
+    petscCheck(MatCreate(PETSC_COMM_WORLD, matrix_.create()));
+    petscCheck(MatSetSizes(matrix_, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
+    petscCheck(MatSetType(matrix_, MATAIJ));
+    petscCheck
+    (
+        MatSetPreallocationCOO
+        (
+            matrix_, rows.size(), rows.data(), columns.data()
+        )
+    );
+    petscCheck(MatSetValuesCOO(matrix_, entries.data(), INSERT_VALUES));
+    petscCheck(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
+    petscCheck(MatCreateVecs(matrix_, solution_.create(), source_.create()));
+
+    PC pc;
+    petscCheck(KSPCreate(PETSC_COMM_WORLD, krylov_.create()));
+    petscCheck(KSPSetType(krylov_, KSPCG));
+    petscCheck(KSPGetPC(krylov_, &pc));
+    petscCheck(PCSetType(pc, PCGAMG));
+    petscCheck
+    (
+        KSPSetTolerances
+        (
+            krylov_, sweepAccuracy, PETSC_DEFAULT, PETSC_DEFAULT, 100
+        )
+    );
+    petscCheck(KSPSetOperators(krylov_, matrix_, matrix_));
+    petscCheck(KSPSetUp(krylov_));
+}
+
+
+void Foam::fsbi::segregated::solveCells()
+{
+    const elasticStencil& stencil = elastic_.stencil();
+    const label nCells = mesh_.nCells();
+    for (label g = 0; g < stencil.nGhosts(); ++g)
+    {
+        const label i = stencil.firstBoundary() + g;
+        const auto kind = elastic_.kinds()[stencil.ghostFaces()[g]];
+        for (label k = 0; kind == solidBoundary::displacement && k < 3; ++k)
+        {
+            rows_[3*stencil.owner()[i] + k] +=
+                coeff(i)*rows_[3*(nCells + g) + k];
+        }
+    }
+    for (label k = 0; k < 3; ++k)
+    {
+        PetscScalar* values;
+        VecGetArray(source_, &values);
+        for (label i = 0; i < nCells; ++i)
+        {
+            values[i] = rows_[3*i + k];
+        }
+        VecRestoreArray(source_, &values);
+        petscCheck(KSPSolve(krylov_, source_, solution_));
+        VecGetArray(solution_, &values);
+        for (label i = 0; i < nCells; ++i)
+        {
+            rows_[3*i + k] = values[i];
+        }
+        VecRestoreArray(solution_, &values);
+    }
+}
+
+
+void Foam::fsbi::segregated::setGhosts()
+{
+    const elasticStencil& stencil = elastic_.stencil();
+    vector* du = reinterpret_cast<vector*>(rows_.begin());
+    for (label g = 0; g < stencil.nGhosts(); ++g)
+    {
+        const label i = stencil.firstBoundary() + g;
+        const vector& cell = du[stencil.owner()[i]];
+        vector& ghost = du[mesh_.nCells() + g];
+        switch (elastic_.kinds()[stencil.ghostFaces()[g]])
+        {
+            case solidBoundary::displacement:
+                ghost -= cell;
+                break;
+            case solidBoundary::traction:
+                ghost += cell;
+                break;
+            default:
+            {
+                const vector n(normalised(stencil.area()[i]));
+                ghost += cell - 2*n*(n & cell);
+            }
+        }
+    }
+}
+
+
+Foam::fsbi::solverReport Foam::fsbi::segregated::solve
+(
+    const solidProblem& problem, scalarList& x
+)
+{
+    residual_.setProblem(problem);
+    setMatrix(problem.mass);
+    solverReport report;
+    scalar first = -1;
+    for (label sweep = 0; ; ++sweep)
+    {
+        report.iterations = sweep;
+        report.corrections = sweep;
+        if (!residual_.evaluate(x))
+        {
+            report.failure = "a cell is turned inside out";
+            return report;
+        }
+        first = first < 0 ? residual_.norm() : first;
+        report.residual = residual_.norm()/max(residual_.size(), VSMALL);
+        report.converged = residual_.norm() <= residual_.target(tolerance_);
+        if
+        (
+            report.converged || sweep == maxIterations_
+         || residual_.norm() > diverged*first
+        )
+        {
+            return report;
+        }
+        residual_.unscale(residual_.rows().cdata(), rows_);
+        solveCells();
+        setGhosts();
+        forAll(x, i)
+        {
+            x[i] -= relaxation_*rows_[i];
+        }
+    }
+}

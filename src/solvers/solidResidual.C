@@ -1,0 +1,141 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "solidResidual.H"
+#include "PstreamReduceOps.H"
+
+Foam::fsbi::solidResidual::solidResidual
+(
+    const fvMesh& mesh,
+    elasticOperator& elastic,
+    const solidMaterial& material
+)
+:
+    mesh_(mesh),
+    elastic_(elastic),
+    linear_(material.linear()),
+    scale_(elastic.size()),
+    rows_(elastic.size())
+{}
+
+
+void Foam::fsbi::solidResidual::setProblem(const solidProblem& problem)
+{
+    problem_ = &problem;
+    const elasticStencil& stencil = elastic_.stencil();
+    const label nCells = mesh_.nCells();
+    scalarField stiffness(stencil.nColumns(), Zero);
+    for (label i = 0; i < stencil.nFaces(); ++i)
+    {
+        const scalar k = elastic_.stiffness()*stencil.compact()[i];
+        stiffness[stencil.owner()[i]] += k;
+        stiffness[stencil.neighbour()[i]] += k;
+    }
+    forAll(problem.mass, celli)
+    {
+        std::fill_n
+        (
+            scale_.begin() + 3*celli, 3,
+            1/(stiffness[celli] + problem.mass[celli])
+        );
+    }
+    std::fill_n(scale_.begin() + 3*nCells, 3*stencil.nGhosts(), scalar(1));
+    const label firstPressure = 3*(nCells + stencil.nGhosts());
+    forAll(elastic_.ownedVertices(), i)
+    {
+        const scalar V = stencil.vertexVolume()[elastic_.ownedVertices()[i]];
+        scale_[firstPressure + i] = cbrt(V)/V;
+    }
+    size_ = 0;
+
+    // a linear law sees the gradient, others see 1 + gradient
+    roundOff_ =
+        linear_
+      ? 0
+      : 1e-15*sqrt(squareSum([&](const label celli)
+        {
+            return elastic_.stiffness()*pow(mesh_.cellVolumes()[celli], 2.0/3.0);
+        }));
+}
+
+
+Foam::scalar Foam::fsbi::solidResidual::squareSum
+(
+    const std::function<scalar(const label)>& cell
+) const
+{
+    scalar sum = 0;
+    forAll(mesh_.cells(), celli)
+    {
+        sum += sqr(cell(celli)*scale_[3*celli]);
+    }
+    return returnReduce(sum, sumOp<scalar>());
+}
+
+
+bool Foam::fsbi::solidResidual::evaluate(const scalarList& x)
+{
+    elastic_.residual(x.cdata(), problem_->given, rows_.begin());
+    scalar sum = 0;
+    forAll(problem_->force, celli)
+    {
+        for (direction k = 0; k < 3; ++k)
+        {
+            const label i = 3*celli + k;
+            rows_[i] +=
+                problem_->mass[celli]*x[i] - problem_->force[celli][k];
+        }
+    }
+    forAll(rows_, i)
+    {
+        rows_[i] *= scale_[i];
+        sum += sqr(rows_[i]);
+    }
+    norm_ = sqrt(returnReduce(sum, sumOp<scalar>()));
+    if (!elastic_.valid() || !std::isfinite(norm_))
+    {
+        return false;
+    }
+    const scalar forces = sqrt(squareSum([&](const label celli)
+    {
+        return
+            mag(problem_->force[celli])
+          + pow(mesh_.cellVolumes()[celli], 2.0/3.0)
+           *mag(elastic_.cellMean(celli, elastic_.stress()));
+    }));
+    size_ = max(size_, size_ > 0 ? forces : max(forces, norm_));
+    return true;
+}
+
+
+void Foam::fsbi::solidResidual::finishTangent
+(
+    const scalar* dx, scalar* dr
+) const
+{
+    forAll(problem_->mass, celli)
+    {
+        for (label i = 3*celli; i < 3*celli + 3; ++i)
+        {
+            dr[i] += problem_->mass[celli]*dx[i];
+        }
+    }
+    forAll(scale_, i)
+    {
+        dr[i] *= scale_[i];
+    }
+}
+
+
+void Foam::fsbi::solidResidual::unscale
+(
+    const scalar* scaled, scalarList& r
+) const
+{
+    forAll(scale_, i)
+    {
+        r[i] = scaled[i]/scale_[i];
+    }
+}
