@@ -16,6 +16,9 @@ namespace fsbi
 //- Stiffness of supports over that of the material
 static const scalar supportStiffness = 100;
 
+//- Couplings that the coarsening ignores, over those of the diagonal
+static PetscReal weakBelow = 0.03;
+
 //- Lame's lambda over mu where the operator has a pressure of its own
 static const scalar mixedLambda = 2;
 
@@ -323,6 +326,7 @@ void Foam::fsbi::vertexElasticity::rebuild(const scalarField& mass)
     petscCheck(KSPSetType(cycle_, KSPPREONLY));
     petscCheck(KSPGetPC(cycle_, &pc));
     petscCheck(PCSetType(pc, PCGAMG));
+    petscCheck(PCGAMGSetThreshold(pc, &weakBelow, 1));
     petscCheck(KSPSetOptionsPrefix(cycle_, "fsbiSolid_"));
     petscCheck(KSPSetFromOptions(cycle_));
     petscCheck(KSPSetOperators(cycle_, matrix_, matrix_));
