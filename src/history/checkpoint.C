@@ -6,7 +6,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "checkpoint.H"
 #include "OStringStream.H"
 #include "OSspecific.H"
-#include "pointIOField.H"
 #include "IOdictionary.H"
 
 namespace Foam
@@ -73,33 +72,6 @@ void Foam::fsbi::checkpoint::add
 }
 
 
-void Foam::fsbi::checkpoint::addMesh
-(
-    stateFolder& folder,
-    const fluidMesh& meshing
-) const
-{
-    const fvMesh& mesh = meshing.mesh();
-    for (const word name : {"points", "faces", "owner", "neighbour", "boundary"})
-    {
-        add(folder, mesh.thisDb().lookupObject<regIOobject>(name));
-    }
-    add
-    (
-        folder,
-        pointIOField
-        (
-            IOobject
-            (
-                "referencePoints", time_.timeName(), polyMesh::meshSubDir,
-                mesh, IOobject::NO_READ, IOobject::NO_WRITE, false
-            ),
-            meshing.referencePoints()
-        )
-    );
-}
-
-
 void Foam::fsbi::checkpoint::addState
 (
     stateFolder& folder,
@@ -142,9 +114,7 @@ void Foam::fsbi::checkpoint::write(scene& scene, const stepControl& steps)
     auto timer = scene.clocks().measure("output");
 
     stateFolder folder(time_.path(), time_.timeName());
-    addMesh(folder, scene.fluid().meshing());
-    add(folder, scene.fluid().U());
-    add(folder, scene.fluid().p());
+    scene.write([&](const regIOobject& object) { add(folder, object); });
     addState(folder, scene, steps);
     folder.publish();
 
@@ -152,7 +122,7 @@ void Foam::fsbi::checkpoint::write(scene& scene, const stepControl& steps)
     purge();
 
     // a restarted run builds its solver anew: so does this one
-    scene.fluid().renewSolver();
+    scene.renewSolvers();
 }
 
 

@@ -57,11 +57,38 @@ void Foam::fsbi::recorder::declare()
             history_.declare(path/"torque"/source, xyz, "M L^2/T^2");
         }
     }
+    for (const solidRegion& body : scene_.solids())
+    {
+        declareElastic(body);
+    }
     history_.declare
     (
-        "cost", {"step", "iterations", "seconds", "cells", "meshes"},
-        "T, -, s, -, -"
+        "cost",
+        {"step", "iterations", "corrections", "seconds", "cells", "meshes"},
+        "T, -, -, s, -, -"
     );
+}
+
+
+void Foam::fsbi::recorder::declareElastic(const solidRegion& body)
+{
+    const wordList xyz({"x", "y", "z"});
+    const fileName path("elasticBodies"/body.name());
+    history_.declare
+    (
+        path/"energy", {"elastic", "kinetic", "work"}, "M L^2/T^2"
+    );
+    history_.declare(path/"momentum", xyz, "M L/T");
+    history_.declare(path/"angularMomentum", xyz, "M L^2/T");
+    history_.declare(path/"centre", xyz, "L");
+    history_.declare
+    (
+        path/"deformation", {"minJ", "minStretch", "maxStretch"}, "-"
+    );
+    for (const word& patch : body.heldPatches())
+    {
+        history_.declare(path/"reaction"/patch, xyz, "M L/T^2");
+    }
 }
 
 
@@ -71,20 +98,37 @@ void Foam::fsbi::recorder::openSeries()
     {
         return;
     }
+    for (const rigidBody& body : scene_.bodies())
+    {
+        openSeries
+        (
+            body.name(),
+            "position(xyz) quaternion(wxyz) velocity(xyz)"
+            " angularVelocity(xyz) fluidForce(xyz) fluidTorque(xyz)"
+        );
+    }
+    for (const solidRegion& body : scene_.solids())
+    {
+        openSeries
+        (
+            body.name(),
+            "centre(xyz) momentum(xyz) angularMomentum(xyz) elasticEnergy"
+            " kineticEnergy work minJ minStretch maxStretch"
+        );
+    }
+}
+
+
+void Foam::fsbi::recorder::openSeries(const word& body, const string& columns)
+{
     const fileName folder
     (
         time_.globalPath()/"postProcessing"/"bodies"/time_.timeName()
     );
     mkDir(folder);
-    series_.setSize(scene_.bodies().size());
-    forAll(series_, b)
-    {
-        series_.set(b, new OFstream(folder/scene_.bodies()[b].name() + ".dat"));
-        series_[b].precision(10);
-        series_[b]
-            << "# time position(xyz) quaternion(wxyz) velocity(xyz)"
-            << " angularVelocity(xyz) fluidForce(xyz) fluidTorque(xyz)" << nl;
-    }
+    series_.append(new OFstream(folder/body + ".dat"));
+    series_.last().precision(10);
+    series_.last() << "# time " << columns.c_str() << nl;
 }
 
 
@@ -106,6 +150,35 @@ void Foam::fsbi::recorder::appendSeries
     add(angular(s.velocity));
     add(linear(s.load));
     add(angular(s.load));
+    finishRow(os);
+}
+
+
+void Foam::fsbi::recorder::appendSeries
+(
+    OFstream& os,
+    const solidMeasures& m
+) const
+{
+    os << time_.value();
+    for (const vector& v : {m.centre, m.momentum, m.angularMomentum})
+    {
+        os << ' ' << v.x() << ' ' << v.y() << ' ' << v.z();
+    }
+    for
+    (
+        const scalar s :
+        {m.elastic, m.kinetic, m.work, m.minJ, m.minStretch, m.maxStretch}
+    )
+    {
+        os << ' ' << s;
+    }
+    finishRow(os);
+}
+
+
+void Foam::fsbi::recorder::finishRow(OFstream& os) const
+{
     os << endl;
     if (!os.good())
     {
@@ -144,6 +217,27 @@ void Foam::fsbi::recorder::appendHistory(const rigidBody& body)
 }
 
 
+void Foam::fsbi::recorder::appendHistory(const solidRegion& body)
+{
+    const scalar t = time_.value();
+    const fileName path("elasticBodies"/body.name());
+    const solidMeasures& m = body.measures();
+    const auto add = [&](const fileName& table, const vector& v)
+    {
+        history_.append(path/table, t, scalarList({v.x(), v.y(), v.z()}));
+    };
+    add("energy", vector(m.elastic, m.kinetic, m.work));
+    add("momentum", m.momentum);
+    add("angularMomentum", m.angularMomentum);
+    add("centre", m.centre);
+    add("deformation", vector(m.minJ, m.minStretch, m.maxStretch));
+    for (const word& patch : body.heldPatches())
+    {
+        add("reaction"/patch, body.reaction(patch));
+    }
+}
+
+
 void Foam::fsbi::recorder::append()
 {
     auto timer = scene_.clocks().measure("output");
@@ -156,15 +250,30 @@ void Foam::fsbi::recorder::append()
             appendSeries(series_[b], body.now());
         }
     }
+    forAll(scene_.solids(), b)
+    {
+        const solidRegion& body = scene_.solids()[b];
+        appendHistory(body);
+        if (Pstream::master())
+        {
+            appendSeries
+            (
+                series_[scene_.bodies().size() + b], body.measures()
+            );
+        }
+    }
     history_.append
     (
         "cost", time_.value(),
         scalarList
         ({
             time_.deltaTValue(), scalar(scene_.report().iterations),
-            scene_.clocks().seconds("solve"),
-            scalar(scene_.fluid().mesh().globalData().nTotalCells()),
-            scalar(scene_.fluid().meshing().generation())
+            scalar(scene_.report().corrections),
+            scene_.clocks().seconds("solve"), scalar(scene_.nCells()),
+            scalar
+            (
+                scene_.hasFluid() ? scene_.fluid().meshing().generation() : 0
+            )
         })
     );
     history_.flush();

@@ -4,9 +4,9 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "flowConditions.H"
+#include "startField.H"
 #include "tractionCondition.H"
 #include "pointwiseValue.H"
-#include "IFstream.H"
 #include "IStringStream.H"
 #include "OStringStream.H"
 #include "PrimitivePatchInterpolation.H"
@@ -38,23 +38,7 @@ Foam::fsbi::flowConditions::flowConditions
 
 void Foam::fsbi::flowConditions::read()
 {
-    dictionary dict;
-    const fileName file(time_.globalPath()/time_.timeName()/"fluid"/"U");
-    if (Pstream::master())
-    {
-        IFstream is(file);
-        IOobject header("U", time_.timeName(), "fluid", time_);
-        if (!is.good() || !header.readHeader(is))
-        {
-            FatalErrorInFunction
-                << "The velocity field " << file << " is missing, or has no"
-                << " header; it gives the boundary conditions"
-                << exit(FatalError);
-        }
-        dict = dictionary(is);
-    }
-    Pstream::scatter(dict);
-    dict.name() = file;
+    dictionary dict(startField(time_, "fluid", "U"));
 
     // values of an earlier mesh, where the condition knows better
     for (entry& e : dict.subDict("boundaryField"))
@@ -124,14 +108,10 @@ void Foam::fsbi::flowConditions::addMeshPatches(dictionary& patches) const
         const bool body = mesh_.isBody(pp.name());
         if (body || pp.coupled())
         {
-            const word type(body ? word("fixedValue") : pp.type());
-            dictionary entry
+            setPatch
             (
-                IStringStream("type " + type + "; value uniform (0 0 0);")()
+                patches, pp.name(), body ? word("fixedValue") : pp.type()
             );
-            // set() would overwrite a pattern that matches the name
-            patches.remove(pp.name());
-            patches.add(pp.name(), entry);
         }
     }
 }

@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fluidMesh.H"
-#include "meshDistribution.H"
+#include "regionMesh.H"
 #include "Time.H"
 #include "pointIOField.H"
 
@@ -43,11 +43,7 @@ Foam::fsbi::fluidMesh::fluidMesh
         restore(saved);
         return;
     }
-    const fileName ready
-    (
-        time_.constantPath()/"fluid"/polyMesh::meshSubDir/"faces"
-    );
-    if (returnReduce(isFile(ready), andOp<bool>()))
+    if (hasRegionMesh(time_, "fluid"))
     {
         readMesh(time_.constant());
     }
@@ -84,16 +80,7 @@ void Foam::fsbi::fluidMesh::readFollow()
 
 void Foam::fsbi::fluidMesh::readMesh(const word& instance)
 {
-    mesh_.reset
-    (
-        new fvMesh
-        (
-            IOobject
-            (
-                "fluid", instance, time_, IOobject::MUST_READ
-            )
-        )
-    );
+    mesh_ = readRegionMesh(time_, "fluid", instance);
     for (const word& name : bodyNames())
     {
         if (mesh().boundaryMesh().findPatchID(name) < 0)
@@ -114,46 +101,22 @@ void Foam::fsbi::fluidMesh::readDomain()
     {
         return;
     }
-    const bool parallel = Pstream::parRun();
-    Pstream::parRun() = false;
-    domainTime_.reset
-    (
-        new Time
-        (
-            Time::controlDictName, time_.rootPath(), time_.globalCaseName(),
-            "system", "constant", false, false
-        )
-    );
-    const fileName points
-    (
-        domainTime_->constantPath()/polyMesh::meshSubDir/"points"
-    );
-    if (!isFile(points) && !isFile(points + ".gz"))
+    if (!wholeMesh::exists(time_, polyMesh::defaultRegion))
     {
         FatalErrorInFunction
             << "There is no domain to put the bodies in: run blockMesh first ("
-            << points << " is missing)" << exit(FatalError);
+            << time_.globalPath()/time_.constant()/polyMesh::meshSubDir
+            << " is missing)" << exit(FatalError);
     }
-    domain_.reset
-    (
-        new polyMesh
-        (
-            IOobject
-            (
-                polyMesh::defaultRegion, domainTime_->constant(),
-                domainTime_(), IOobject::MUST_READ
-            )
-        )
-    );
-    Pstream::parRun() = parallel;
+    domain_.reset(new wholeMesh(time_, polyMesh::defaultRegion));
     checkPatchNames();
-    mesher_.reset(new conformalMesher(domain_(), remeshDict_));
+    mesher_.reset(new conformalMesher((*domain_)(), remeshDict_));
 }
 
 
 void Foam::fsbi::fluidMesh::checkPatchNames() const
 {
-    const wordList patches(domain_->boundaryMesh().names());
+    const wordList patches((*domain_)().boundaryMesh().names());
     for (const word& name : bodyNames())
     {
         if (patches.found(name))
@@ -175,7 +138,6 @@ bool Foam::fsbi::fluidMesh::generate
 {
     readDomain();
     meshLists whole;
-    labelList rank;
     if (Pstream::master())
     {
         List<bodySurface> surfaces(bodies_.size());
@@ -185,10 +147,6 @@ bool Foam::fsbi::fluidMesh::generate
         }
         whole = mesher_->generate(bodyNames(), surfaces, shift());
         reason = whole.failure;
-        if (whole.valid())
-        {
-            rank = meshDistribution::bisect(whole, Pstream::nProcs());
-        }
     }
     Pstream::scatter(reason);
     if (!reason.empty())
@@ -197,16 +155,7 @@ bool Foam::fsbi::fluidMesh::generate
     }
     release();
     mesh_.clear();
-    const meshDistribution part(whole, rank);
-    mesh_ = part.mesh.makeMesh
-    (
-        IOobject("fluid", time_.timeName(), time_, IOobject::NO_READ)
-    );
-    // only now: with an IOobject to be read it would take an old mesh's patches
-    mesh_->fvSchemes::readOpt() = IOobject::READ_IF_PRESENT;
-    mesh_->fvSchemes::read();
-    mesh_->fvSolution::readOpt() = IOobject::READ_IF_PRESENT;
-    mesh_->fvSolution::read();
+    mesh_ = makeRegionMesh(time_, "fluid", whole);
     ++generation_;
     return true;
 }
@@ -360,6 +309,27 @@ Foam::fsbi::fluidMesh::outcome Foam::fsbi::fluidMesh::follow
     setReference();
     createMotion();
     return outcome::remeshed;
+}
+
+
+void Foam::fsbi::fluidMesh::write
+(
+    const std::function<void(const regIOobject&)>& add
+) const
+{
+    writeMesh(mesh(), mesh().points(), add);
+    add
+    (
+        pointIOField
+        (
+            IOobject
+            (
+                "referencePoints", time_.timeName(), polyMesh::meshSubDir,
+                mesh(), IOobject::NO_READ, IOobject::NO_WRITE, false
+            ),
+            referencePoints_
+        )
+    );
 }
 
 

@@ -265,6 +265,17 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
 }
 
 
+void Foam::fsbi::fluidRegion::write
+(
+    const std::function<void(const regIOobject&)>& add
+) const
+{
+    mesh_.write(add);
+    add(U_());
+    add(p_());
+}
+
+
 void Foam::fsbi::fluidRegion::setFields(const UList<bodyRows>& rows)
 {
     volVectorField& U = U_();

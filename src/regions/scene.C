@@ -6,118 +6,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene.H"
 #include "Time.H"
 #include "untrapped.H"
-#include "IFstream.H"
-#include "HashSet.H"
 
-Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
-:
-    time_(time)
-{
-    readBodies(saved);
-    fluid_.reset
-    (
-        new fluidRegion
-        (
-            time, bodies_, timings_, saved.subOrEmptyDict("fluidMesh")
-        )
-    );
-}
-
-
-void Foam::fsbi::scene::checkNames(const fileName& file)
-{
-    // OpenFOAM would merge two bodies of one name
-    IFstream is(file);
-    wordHashSet names;
-    word last;
-    label depth = 0;
-    token t;
-    while (is.good() && !is.read(t).bad() && t.good())
-    {
-        if (t.isPunctuation() && t.pToken() == token::BEGIN_BLOCK)
-        {
-            if (depth++ == 0 && !names.insert(last))
-            {
-                FatalIOErrorInFunction(is)
-                    << "There are two bodies with the name '" << last << "'"
-                    << exit(FatalIOError);
-            }
-        }
-        else if (t.isPunctuation() && t.pToken() == token::END_BLOCK)
-        {
-            --depth;
-        }
-        else if (t.isWord())
-        {
-            last = t.wordToken();
-        }
-    }
-}
-
-
-void Foam::fsbi::scene::readBodies(const dictionary& saved)
-{
-    const IOdictionary dict
-    (
-        IOobject
-        (
-            "bodies", time_.caseConstant(), time_, IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE, false
-        )
-    );
-    if (isFile(dict.objectPath()) && Pstream::master())
-    {
-        checkNames(dict.objectPath());
-    }
-    checkSaved(dict, saved);
-    bodies_.setSize(dict.size() - dict.found("FoamFile"));
-    const dictionary& savedBodies = saved.subOrEmptyDict("bodies");
-    label b = 0;
-    for (const entry& e : dict)
-    {
-        if (e.keyword() == "FoamFile")
-        {
-            continue;
-        }
-        if (!e.isDict())
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry '" << e.keyword() << "' is no dictionary: a body is"
-                << " name { type rigidBody; shape {...} position (...); ... }"
-                << exit(FatalIOError);
-        }
-        bodies_.set
-        (
-            b++,
-            new rigidBody
-            (
-                e.keyword(), e.dict(), savedBodies.subOrEmptyDict(e.keyword())
-            )
-        );
-    }
-}
-
-
-void Foam::fsbi::scene::checkSaved
-(
-    const dictionary& dict,
-    const dictionary& saved
-)
-{
-    wordHashSet now(dict.toc());
-    now.erase("FoamFile");
-    const wordHashSet then(saved.subOrEmptyDict("bodies").toc());
-    if (saved.size() && now != then)
-    {
-        FatalIOErrorInFunction(dict)
-            << "The bodies are no longer those of the saved state, which are "
-            << flatOutput(then.sortedToc()) << ". Put them back, or start a"
-            << " new run at time 0" << exit(FatalIOError);
-    }
-}
-
-
-bool Foam::fsbi::scene::solve()
+bool Foam::fsbi::scene::solveFluid()
 {
     const untrapped scope;
     List<bodyRows> rows(bodies_.size());
@@ -160,6 +50,12 @@ bool Foam::fsbi::scene::advance()
 {
     failure_.clear();
     report_ = solverReport();
+    return (!fluid_ || advanceFluid()) && advanceSolids();
+}
+
+
+bool Foam::fsbi::scene::advanceFluid()
+{
     bool extrapolated = true;
     for (const rigidBody& body : bodies_)
     {
@@ -172,7 +68,25 @@ bool Foam::fsbi::scene::advance()
         {
             body.advance(time_.deltaTValue());
         }
-        if (!fluid_->follow(failure_) || !solve())
+        if (!fluid_->follow(failure_) || !solveFluid())
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
+bool Foam::fsbi::scene::advanceSolids()
+{
+    for (solidRegion& solid : solids_)
+    {
+        solverReport report;
+        const bool solved = solid.solve(report, failure_);
+        report_.iterations += report.iterations;
+        report_.corrections = max(report_.corrections, report.corrections);
+        report_.residual = max(report_.residual, report.residual);
+        if (!solved)
         {
             return false;
         }
@@ -187,7 +101,14 @@ void Foam::fsbi::scene::beginStep()
     {
         body.beginStep();
     }
-    fluid_->beginStep();
+    for (solidRegion& solid : solids_)
+    {
+        solid.beginStep();
+    }
+    if (fluid_)
+    {
+        fluid_->beginStep();
+    }
 }
 
 
@@ -197,7 +118,14 @@ void Foam::fsbi::scene::rewind()
     {
         body.rewind();
     }
-    fluid_->rewind();
+    for (solidRegion& solid : solids_)
+    {
+        solid.rewind();
+    }
+    if (fluid_)
+    {
+        fluid_->rewind();
+    }
 }
 
 
@@ -206,6 +134,10 @@ void Foam::fsbi::scene::endStep()
     for (rigidBody& body : bodies_)
     {
         body.endStep();
+    }
+    for (solidRegion& solid : solids_)
+    {
+        solid.endStep();
     }
 }
 
@@ -219,14 +151,77 @@ void Foam::fsbi::scene::save(dictionary& state) const
         body.save(dict);
         bodies.set(body.name(), dict);
     }
+    for (const solidRegion& solid : solids_)
+    {
+        dictionary dict;
+        solid.save(dict);
+        bodies.set(solid.name(), dict);
+    }
     state.set("bodies", bodies);
-    dictionary mesh;
-    fluid_->meshing().save(mesh);
-    state.set("fluidMesh", mesh);
+    if (fluid_)
+    {
+        dictionary mesh;
+        fluid_->meshing().save(mesh);
+        state.set("fluidMesh", mesh);
+    }
+}
+
+
+void Foam::fsbi::scene::write
+(
+    const std::function<void(const regIOobject&)>& add
+)
+{
+    if (fluid_)
+    {
+        fluid_->write(add);
+    }
+    for (solidRegion& solid : solids_)
+    {
+        solid.write(add);
+    }
+}
+
+
+void Foam::fsbi::scene::renewSolvers()
+{
+    if (fluid_)
+    {
+        fluid_->renewSolver();
+    }
+    for (solidRegion& solid : solids_)
+    {
+        solid.renewSolver();
+    }
 }
 
 
 Foam::scalar Foam::fsbi::scene::smallestGap() const
 {
-    return fluid_->meshing().smallestGap();
+    return fluid_ ? fluid_->meshing().smallestGap() : GREAT;
+}
+
+
+Foam::string Foam::fsbi::scene::warning() const
+{
+    string text;
+    for (const solidRegion& solid : solids_)
+    {
+        if (solid.warning().size())
+        {
+            text += "  " + solid.name() + ": " + solid.warning();
+        }
+    }
+    return text;
+}
+
+
+Foam::label Foam::fsbi::scene::nCells() const
+{
+    label n = fluid_ ? fluid_->mesh().globalData().nTotalCells() : 0;
+    for (const solidRegion& solid : solids_)
+    {
+        n += solid.mesh().globalData().nTotalCells();
+    }
+    return n;
 }

@@ -334,22 +334,31 @@ void Foam::fsbi::stepControl::accept(const scene& scene)
     const scalar left =
         (clock_.elapsedTime() - began_)*(1 - done)/max(done, VSMALL);
     const scalar gap = scene.smallestGap();
-    char gapText[32] = "-";
+    char gapText[40] = "";
     if (gap < 0.1*GREAT)
     {
-        snprintf(gapText, sizeof(gapText), "%.4g", gap);
+        snprintf(gapText, sizeof(gapText), "  gap %-8.4g", gap);
+    }
+    char corrections[40] = "";
+    if (scene.solids().size())
+    {
+        snprintf
+        (
+            corrections, sizeof(corrections), "corrections %2d  ",
+            int(scene.report().corrections)
+        );
     }
     char line[320];
     snprintf
     (
         line, sizeof(line),
-        "t %-10s dt %-9.4g its %3d  residual %7.1e  gap %-8s %5.1f %%"
+        "t %-10s dt %-9.4g %sits %3d  residual %7.1e%s %5.1f %%"
         "  left %-7s dt by %s",
-        time_.timeName().c_str(), time_.deltaTValue(),
+        time_.timeName().c_str(), time_.deltaTValue(), corrections,
         int(scene.report().iterations), scene.report().residual, gapText,
         100*done, readable(left).c_str(), limit_.c_str()
     );
-    Info<< line << endl;
+    Info<< line << scene.warning().c_str() << endl;
 }
 
 

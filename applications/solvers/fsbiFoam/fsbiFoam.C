@@ -7,7 +7,7 @@ Application
 
 Description
     Cells and microrobots in microvascular flow: Stokes flow coupled with
-    rigid bodies on a conformal moving mesh.
+    rigid bodies on a conformal moving mesh; elastic bodies.
 
 \*---------------------------------------------------------------------------*/
 
@@ -23,12 +23,14 @@ int main(int argc, char *argv[])
     argList::addNote
     (
         "Cells and microrobots in microvascular flow: Stokes flow and rigid"
-        " bodies\non a conformal moving mesh.\n\n"
+        " bodies\non a conformal moving mesh; elastic bodies without flow.\n\n"
         "    blockMesh && fsbiFoam                  in a case folder\n"
         "    blockMesh && decomposePar && mpirun -np 2 fsbiFoam -parallel\n\n"
         "Reads constant/bodies, constant/fluid/material, 0/fluid/U and\n"
-        "system/{controlDict,remeshDict,fluid/fvSolution}. Writes time folders"
-        " with\nregion fluid (U, p, polyMesh), postProcessing/history.h5 and"
+        "system/{controlDict,remeshDict,fluid/fvSolution}; of an elastic body"
+        " constant/<body>/material,\n0/<body>/D, system/<body>/{fvSchemes,"
+        "fvSolution}. Writes time folders with the regions\n(fluid: U, p;"
+        " <body>: D, sigma ...), postProcessing/history.h5 and"
         " postProcessing/bodies.\n"
         "Ctrl-C ends the run after the step in hand with a saved state;\n"
         "'startFrom latestTime' continues."

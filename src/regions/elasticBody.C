@@ -1,0 +1,161 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "elasticBody.H"
+#include "bodyMesher.H"
+#include "quaternion.H"
+#include "OStringStream.H"
+#include "Time.H"
+#include "Tuple2.H"
+#include "IOdictionary.H"
+
+Foam::fsbi::elasticBody::elasticBody(const word& name, const dictionary& dict)
+:
+    name_(name),
+    position_(Zero),
+    turned_(tensor::I)
+{
+    const checkedDictionary entries(dict);
+    entries.found("type");
+    if (entries.found("shape"))
+    {
+        readShape(entries);
+    }
+    for (auto* load : {&bodyForce_, &acceleration_})
+    {
+        const word key(load == &bodyForce_ ? "bodyForce" : "acceleration");
+        if (entries.found(key))
+        {
+            *load = Function1<vector>::New(key, dict);
+        }
+    }
+    velocity_ = entries.getOrDefault<vector>("initialVelocity", Zero);
+    angularVelocity_ =
+        entries.getOrDefault<vector>("initialAngularVelocity", Zero);
+    entries.finish();
+}
+
+
+void Foam::fsbi::elasticBody::readShape(const checkedDictionary& entries)
+{
+    shape_ = bodyShape::New(entries.subDict("shape"));
+    position_ = entries.get<point>("position");
+    const Tuple2<vector, scalar> turned
+    (
+        entries.getOrDefault("orientation", Tuple2<vector, scalar>(Zero, 0))
+    );
+    if (mag(turned.first()) > 0)
+    {
+        turned_ =
+            quaternion(turned.first()/mag(turned.first()), turned.second()).R();
+    }
+    OStringStream os;
+    os.precision(17);
+    os << position_ << turned;
+    entries.subDict("shape").write(os, false);
+    shapeText_ = os.str();
+}
+
+
+Foam::autoPtr<Foam::fvMesh> Foam::fsbi::elasticBody::makeMesh
+(
+    const Time& time,
+    const bool alone
+) const
+{
+    if (!shape_ && hasRegionMesh(time, name_))
+    {
+        return readRegionMesh(time, name_, time.constant());
+    }
+    meshLists whole;
+    if (Pstream::master())
+    {
+        if (shape_)
+        {
+            const IOdictionary controls
+            (
+                IOobject
+                (
+                    "remeshDict", time.caseSystem(), name_, time,
+                    IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
+                )
+            );
+            whole = bodyMesher(controls).fill
+            (
+                name_, shape_->triangulate().transformed(turned_, position_)
+            );
+        }
+        else if (wholeMesh::exists(time, name_))
+        {
+            whole = wholeMesh(time, name_).lists();
+        }
+        else if (alone && wholeMesh::exists(time, polyMesh::defaultRegion))
+        {
+            whole = wholeMesh(time, polyMesh::defaultRegion).lists();
+        }
+        else
+        {
+            whole.failure =
+                "there is neither an entry 'shape' in constant/bodies nor a"
+                " mesh in constant/" + name_ + "/polyMesh"
+              + (alone ? " or constant/polyMesh: run blockMesh first" : "");
+        }
+    }
+    Pstream::scatter(whole.failure);
+    if (!whole.valid())
+    {
+        FatalErrorInFunction
+            << "No mesh of body '" << name_ << "': " << whole.failure.c_str()
+            << exit(FatalError);
+    }
+    return makeRegionMesh(time, name_, whole);
+}
+
+
+Foam::vector Foam::fsbi::elasticBody::force
+(
+    const scalar time,
+    const scalar density
+) const
+{
+    vector f(Zero);
+    if (bodyForce_)
+    {
+        f += bodyForce_->value(time);
+    }
+    if (acceleration_)
+    {
+        f += density*acceleration_->value(time);
+    }
+    return f;
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::fsbi::elasticBody::velocity
+(
+    const vectorField& x,
+    const point& centre
+) const
+{
+    return velocity_ + (angularVelocity_ ^ (x - centre));
+}
+
+
+void Foam::fsbi::elasticBody::saveShape(dictionary& state) const
+{
+    state.set("shape", shapeText_);
+}
+
+
+void Foam::fsbi::elasticBody::checkShape(const dictionary& saved) const
+{
+    if (saved.get<string>("shape") != shapeText_)
+    {
+        FatalErrorInFunction
+            << "The shape or place of body '" << name_ << "' in constant/bodies"
+            << " is no longer the one of the saved state. Put it back, or start"
+            << " a new run at time 0" << exit(FatalError);
+    }
+}

@@ -1,0 +1,217 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "scene.H"
+#include "Time.H"
+#include "IFstream.H"
+#include "HashSet.H"
+
+Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
+:
+    time_(time)
+{
+    const IOdictionary dict
+    (
+        IOobject
+        (
+            "bodies", time_.caseConstant(), time_, IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE, false
+        )
+    );
+    if (isFile(dict.objectPath()) && Pstream::master())
+    {
+        checkNames(dict.objectPath());
+    }
+    checkSaved(dict, saved);
+    readBodies(dict, saved.subOrEmptyDict("bodies"));
+    checkParts();
+    checkRegions();
+    if (fluidGiven())
+    {
+        fluid_.reset
+        (
+            new fluidRegion
+            (
+                time, bodies_, timings_, saved.subOrEmptyDict("fluidMesh")
+            )
+        );
+    }
+}
+
+
+bool Foam::fsbi::scene::fluidGiven() const
+{
+    bool given =
+        isFile(time_.globalPath()/time_.constant()/"fluid"/"material");
+    Pstream::scatter(given);
+    return given;
+}
+
+
+void Foam::fsbi::scene::checkParts() const
+{
+    if (!fluidGiven() && (bodies_.size() || solids_.empty()))
+    {
+        FatalErrorInFunction
+            << "There is no file constant/fluid/material, which rigid bodies"
+            << " need; a scene without fluid has elastic bodies only"
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::fsbi::scene::checkRegions() const
+{
+    const IOdictionary dict
+    (
+        IOobject
+        (
+            "regionProperties", time_.caseConstant(), time_,
+            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
+        )
+    );
+    if (!dict.found("regions"))
+    {
+        return;
+    }
+    const HashTable<wordList> regions(dict.lookup("regions"));
+    wordHashSet fluids, solids;
+    if (fluidGiven())
+    {
+        fluids.insert("fluid");
+    }
+    for (const solidRegion& solid : solids_)
+    {
+        solids.insert(solid.name());
+    }
+    if
+    (
+        wordHashSet(regions.lookup("fluid", wordList())) != fluids
+     || wordHashSet(regions.lookup("solid", wordList())) != solids
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "The regions of the scene are fluid "
+            << flatOutput(fluids.sortedToc()) << " and solid "
+            << flatOutput(solids.sortedToc()) << ", by constant/fluid/material"
+            << " and the elastic bodies of constant/bodies. Write the same"
+            << " here, for OpenFOAM's tools, or remove the file"
+            << exit(FatalIOError);
+    }
+}
+
+
+void Foam::fsbi::scene::checkNames(const fileName& file)
+{
+    // OpenFOAM would merge two bodies of one name
+    IFstream is(file);
+    wordHashSet names;
+    word last;
+    label depth = 0;
+    token t;
+    while (is.good() && !is.read(t).bad() && t.good())
+    {
+        if (t.isPunctuation() && t.pToken() == token::BEGIN_BLOCK)
+        {
+            if (depth++ == 0 && !names.insert(last))
+            {
+                FatalIOErrorInFunction(is)
+                    << "There are two bodies with the name '" << last << "'"
+                    << exit(FatalIOError);
+            }
+        }
+        else if (t.isPunctuation() && t.pToken() == token::END_BLOCK)
+        {
+            --depth;
+        }
+        else if (t.isWord())
+        {
+            last = t.wordToken();
+        }
+    }
+}
+
+
+void Foam::fsbi::scene::readBodies
+(
+    const dictionary& dict,
+    const dictionary& saved
+)
+{
+    const bool alone =
+        dict.size() - dict.found("FoamFile") == 1 && !fluidGiven();
+    for (const entry& e : dict)
+    {
+        if (e.keyword() == "FoamFile")
+        {
+            continue;
+        }
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry '" << e.keyword() << "' is no dictionary: a body is"
+                << " name { type rigidBody; shape {...} position (...); ... }"
+                << exit(FatalIOError);
+        }
+        readBody(e, alone, saved.subOrEmptyDict(e.keyword()));
+    }
+}
+
+
+void Foam::fsbi::scene::readBody
+(
+    const entry& body,
+    const bool alone,
+    const dictionary& saved
+)
+{
+    const word type
+    (
+        checkedDictionary(body.dict()).choice
+        (
+            "type", {"rigidBody", "elasticBody"}
+        )
+    );
+    if (type == "rigidBody")
+    {
+        bodies_.append(new rigidBody(body.keyword(), body.dict(), saved));
+    }
+    else if (fluidGiven())
+    {
+        FatalIOErrorInFunction(body.dict())
+            << "Elastic body '" << body.keyword() << "' is in a scene with a"
+            << " fluid (constant/fluid/material), but elastic bodies are not"
+            << " yet coupled to the flow" << exit(FatalIOError);
+    }
+    else
+    {
+        solids_.append
+        (
+            new solidRegion
+            (
+                time_, timings_, body.keyword(), body.dict(), alone, saved
+            )
+        );
+    }
+}
+
+
+void Foam::fsbi::scene::checkSaved
+(
+    const dictionary& dict,
+    const dictionary& saved
+)
+{
+    wordHashSet now(dict.toc());
+    now.erase("FoamFile");
+    const wordHashSet then(saved.subOrEmptyDict("bodies").toc());
+    if (saved.size() && now != then)
+    {
+        FatalIOErrorInFunction(dict)
+            << "The bodies are no longer those of the saved state, which are "
+            << flatOutput(then.sortedToc()) << ". Put them back, or start a"
+            << " new run at time 0" << exit(FatalIOError);
+    }
+}

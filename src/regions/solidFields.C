@@ -1,0 +1,179 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "solidFields.H"
+#include "solidConditions.H"
+
+namespace Foam
+{
+
+//- A field that is zero so far, or as saved
+template<class FieldType, class Mesh>
+static FieldType zero
+(
+    const word& name,
+    const Mesh& mesh,
+    const dimensionSet& dimensions,
+    const bool saved = false
+)
+{
+    return FieldType
+    (
+        IOobject
+        (
+            name, mesh.time().timeName(), mesh.thisDb(),
+            saved ? IOobject::READ_IF_PRESENT : IOobject::NO_READ
+        ),
+        mesh,
+        dimensioned<typename FieldType::value_type>(dimensions, Zero)
+    );
+}
+
+} // End namespace Foam
+
+
+Foam::fsbi::solidFields::solidFields(const fvMesh& mesh, const bool saved)
+:
+    mesh_(mesh),
+    sigma_(zero<volSymmTensorField>("sigma", mesh, dimPressure)),
+    sigmaEq_(zero<volScalarField>("sigmaEq", mesh, dimPressure)),
+    epsilon_(zero<volSymmTensorField>("epsilon", mesh, dimless)),
+    J_(zero<volScalarField>("J", mesh, dimless)),
+    pointD_
+    (
+        zero<pointVectorField>("pointD", pointMesh::New(mesh), dimLength, saved)
+    ),
+    pointSigma_
+    (
+        zero<pointSymmTensorField>
+        (
+            "pointSigma", pointMesh::New(mesh), dimPressure
+        )
+    )
+{
+    IOobject io("D", mesh.time().timeName(), mesh);
+    if (saved)
+    {
+        io.readOpt() = IOobject::MUST_READ;
+        D_.reset(new volVectorField(io, mesh));
+        return;
+    }
+    const dictionary dict(solidConditions::fieldDictionary(mesh));
+    D_.reset(new volVectorField(io, mesh, dict));
+}
+
+
+template<class Type>
+void Foam::fsbi::solidFields::average
+(
+    const Field<Type>& vertices,
+    GeometricField<Type, fvPatchField, volMesh>& field
+) const
+{
+    const auto mean = [&](const labelUList& points)
+    {
+        Type sum(Zero);
+        for (const label v : points)
+        {
+            sum += vertices[v];
+        }
+        return Type(sum/scalar(points.size()));
+    };
+    forAll(field, celli)
+    {
+        field[celli] = mean(mesh_.cellPoints()[celli]);
+    }
+    field.correctBoundaryConditions();
+    for (auto& pf : field.boundaryFieldRef())
+    {
+        forAll(pf, i)
+        {
+            if (!pf.coupled())
+            {
+                pf[i] = mean(mesh_.faces()[pf.patch().start() + i]);
+            }
+        }
+    }
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::fsbi::solidFields::boundaryD() const
+{
+    const label first = mesh_.nInternalFaces();
+    auto D = tmp<vectorField>::New(mesh_.nFaces() - first, Zero);
+    for (const fvPatchVectorField& pf : D_->boundaryField())
+    {
+        if (!pf.coupled())
+        {
+            SubField<vector>(D.ref(), pf.size(), pf.patch().start() - first) =
+                pf;
+        }
+    }
+    return D;
+}
+
+
+void Foam::fsbi::solidFields::setDisplacement
+(
+    const vectorField& cells,
+    const vectorField& faces,
+    const vectorField& vertices
+)
+{
+    D_->primitiveFieldRef() = cells;
+    D_->correctBoundaryConditions();
+    for (fvPatchVectorField& pf : D_->boundaryFieldRef())
+    {
+        if (!pf.coupled())
+        {
+            pf == SubField<vector>
+            (
+                faces, pf.size(), pf.patch().start() - mesh_.nInternalFaces()
+            );
+        }
+    }
+    pointD_.primitiveFieldRef() = vertices;
+}
+
+
+void Foam::fsbi::solidFields::setStress
+(
+    const elasticOperator& elastic,
+    const bool smallStrain
+)
+{
+    const tensorField& F = elastic.deformation();
+    const symmTensorField sigma(elastic.vertexStress());
+    symmTensorField strain(F.size());
+    scalarField J(F.size());
+    forAll(F, v)
+    {
+        strain[v] =
+            smallStrain
+          ? symm(F[v]) - symmTensor::I
+          : 0.5*(symm(F[v].T() & F[v]) - symmTensor::I);
+        J[v] = det(F[v]);
+    }
+    average(sigma, sigma_);
+    average(strain, epsilon_);
+    average(J, J_);
+    sigmaEq_ = sqrt(1.5*magSqr(dev(sigma_)));
+    pointSigma_.primitiveFieldRef() = sigma;
+}
+
+
+void Foam::fsbi::solidFields::write
+(
+    const std::function<void(const regIOobject&)>& add
+) const
+{
+    add(D_());
+    add(sigma_);
+    add(sigmaEq_);
+    add(epsilon_);
+    add(J_);
+    add(pointD_);
+    add(pointSigma_);
+}

@@ -1,0 +1,252 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "solidRegion.H"
+#include "untrapped.H"
+#include "Time.H"
+
+Foam::scalar Foam::fsbi::solidRegion::fastestFrequency() const
+{
+    const scalar modulus = material_->lambda() + 2*material_->mu();
+    const scalar speed =
+        Foam::sqrt(modulus/max(material_->density(), VSMALL));
+    return 2*speed/Foam::cbrt(gMin(volumes_));
+}
+
+
+Foam::vector Foam::fsbi::solidRegion::volumeForce() const
+{
+    return body_.force(time_.value(), material_->density());
+}
+
+
+Foam::vectorField Foam::fsbi::solidRegion::cells() const
+{
+    const vector* u = reinterpret_cast<const vector*>(x_.cdata());
+    vectorField field(mesh().nCells());
+    std::copy_n(u, field.size(), field.begin());
+    return field;
+}
+
+
+Foam::string Foam::fsbi::solidRegion::faultOf(const solverReport& report) const
+{
+    const scalar sum = returnReduce(Foam::sum(mag(x_)), sumOp<scalar>());
+    const string body("body '" + name() + "': ");
+    if (!std::isfinite(report.residual) || !std::isfinite(sum))
+    {
+        return
+            body + "the solution is not finite: the loads are too large, or"
+            " cells too thin";
+    }
+    if (!report.converged)
+    {
+        return
+            body + "the solver reached a residual of "
+          + Foam::name(report.residual) + " only, in "
+          + Foam::name(report.corrections) + " corrections"
+          + (report.failure.empty() ? string() : ": " + report.failure);
+    }
+    return string();
+}
+
+
+bool Foam::fsbi::solidRegion::evaluate()
+{
+    scalarField r(x_.size());
+    elastic_->residual(x_.cdata(), conditions_->given(), r.data());
+    const vector* rows = reinterpret_cast<const vector*>(r.cdata());
+    const vector b(volumeForce());
+    forces_.setSize(mesh().nCells());
+    forAll(forces_, celli)
+    {
+        forces_[celli] = rows[celli] - volumes_[celli]*b;
+    }
+    return returnReduce(elastic_->valid(), andOp<bool>());
+}
+
+
+bool Foam::fsbi::solidRegion::solve(solverReport& report, string& failure)
+{
+    auto timer = timings_.measure("solve");
+    const untrapped scope;
+    conditions_->evaluate(movedFaces_);
+
+    // rho V a + (1 - w) R + w R_old = 0, a = coefficient u + known
+    const scalar share = 1/(1 - motion_->oldWeight());
+    const scalar coefficient = motion_->accelerationCoeff();
+    const scalarField masses(share*material_->density()*volumes_);
+    const scalarField mass(coefficient*masses);
+    const vectorField force
+    (
+        volumeForce()*volumes_
+      - masses*(motion_->knownAcceleration() + coefficient*movedCells_)
+      - share*motion_->weighted(vectorField(mesh().nCells(), Zero))
+    );
+    report = solver_->solve({conditions_->given(), force, mass}, x_);
+    failure = faultOf(report);
+    if (failure.empty() && !evaluate())
+    {
+        failure =
+            "body '" + name() + "' is turned inside out: the load of the step"
+            " is too large";
+    }
+    if (failure.empty())
+    {
+        setFields();
+        setMeasures();
+    }
+    return failure.empty();
+}
+
+
+void Foam::fsbi::solidRegion::setFields()
+{
+    const solidBoundary& given = conditions_->given();
+    vectorField faces(elastic_->boundaryDisplacement());
+    forAll(faces, i)
+    {
+        // not with the solver's error, which would become the next condition
+        if (given.kinds[i] == solidBoundary::displacement)
+        {
+            faces[i] = given.faces[i];
+        }
+    }
+    fields_->setDisplacement
+    (
+        movedCells_ + cells(), movedFaces_ + faces,
+        movedPoints_ + elastic_->vertexDisplacement()
+    );
+    fields_->setStress(elastic_(), material_->type() == "linearElastic");
+}
+
+
+void Foam::fsbi::solidRegion::setMeasures()
+{
+    const vectorField u(fields_->D());
+    measures_.setDeformation(mesh(), volumes_, material_(), elastic_());
+    measures_.setMotion
+    (
+        volumes_, material_->density(), centres_ + u, motion_->velocity(u)
+    );
+    warning_ = material_->warning(measures_.minJ, measures_.minStretch);
+}
+
+
+void Foam::fsbi::solidRegion::remember()
+{
+    faceForce_ = elastic_->boundaryForce();
+    faceD_ = fields_->boundaryD();
+    volumeForce_ = volumeForce();
+    sumD_ = gSum(volumes_*fields_->D());
+}
+
+
+void Foam::fsbi::solidRegion::addWork()
+{
+    const vectorField force(faceForce_);
+    const vectorField D(faceD_);
+    const vector b(volumeForce_), sum(sumD_);
+    remember();
+    measures_.work +=
+        0.5*gSum((force + faceForce_) & (faceD_ - D))
+      + 0.5*((b + volumeForce_) & (sumD_ - sum));
+}
+
+
+void Foam::fsbi::solidRegion::moveMesh()
+{
+    if (!moves())
+    {
+        return;
+    }
+    movedCells_ = fields_->D();
+    movedFaces_ = fields_->boundaryD();
+    movedPoints_ = fields_->pointD();
+    mesh_->movePoints(reference_ + movedPoints_);
+    mesh_->moving(false);
+}
+
+
+Foam::wordList Foam::fsbi::solidRegion::heldPatches() const
+{
+    DynamicList<word> names;
+    for (const polyPatch& pp : mesh().boundaryMesh())
+    {
+        if (conditions_->held(pp.index()))
+        {
+            names.append(pp.name());
+        }
+    }
+    return wordList(std::move(names));
+}
+
+
+Foam::vector Foam::fsbi::solidRegion::reaction(const word& patch) const
+{
+    const polyPatch& pp = mesh().boundaryMesh()[patch];
+    return gSum
+    (
+        vectorField
+        (
+            SubField<vector>
+            (
+                faceForce_, pp.size(), pp.start() - mesh().nInternalFaces()
+            )
+        )
+    );
+}
+
+
+void Foam::fsbi::solidRegion::renewSolver()
+{
+    solver_.clear();
+    solver_ = solidSolver::New(mesh(), elastic_(), material_(), controls());
+}
+
+
+void Foam::fsbi::solidRegion::beginStep()
+{
+    const scalar dt = time_.deltaTValue();
+    motion_->beginStep(dt);
+    elastic_->setStep(dt);
+    oldX_ = x_;
+    if (oldStep_ > 0)
+    {
+        x_ += (dt/oldStep_)*increment_;
+    }
+    const string text(motion_->warning(dt, fastestFrequency()));
+    if (text.size() && schemeWarning_.empty())
+    {
+        Info<< "Body '" << name() << "': " << text.c_str() << endl;
+    }
+    schemeWarning_ = text;
+}
+
+
+void Foam::fsbi::solidRegion::rewind()
+{
+    motion_->rewind();
+    x_ = oldX_;
+    // a guess that may have been the reason
+    increment_ = 0;
+}
+
+
+void Foam::fsbi::solidRegion::endStep()
+{
+    motion_->endStep(fields_->D(), forces_);
+    increment_ = x_ - oldX_;
+    oldStep_ = time_.deltaTValue();
+    addWork();
+    elastic_->endStep();
+    if (moves())
+    {
+        moveMesh();
+        elastic_->update();
+        const label n = 3*(mesh().nCells() + elastic_->nGhosts());
+        std::fill_n(x_.begin(), n, 0);
+    }
+}

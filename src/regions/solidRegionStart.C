@@ -1,0 +1,220 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "solidRegion.H"
+#include "steadyState.H"
+#include "Time.H"
+#include "IOdictionary.H"
+
+Foam::fsbi::solidRegion::solidRegion
+(
+    const Time& time,
+    timings& t,
+    const word& name,
+    const dictionary& dict,
+    const bool alone,
+    const dictionary& saved
+)
+:
+    time_(time),
+    timings_(t),
+    body_(name, dict),
+    material_
+    (
+        solidMaterial::New
+        (
+            IOdictionary
+            (
+                IOobject
+                (
+                    "material", time.caseConstant(), name, time,
+                    IOobject::MUST_READ, IOobject::NO_WRITE, false
+                )
+            )
+        )
+    ),
+    oldStep_(0),
+    volumeForce_(Zero),
+    sumD_(Zero)
+{
+    auto timer = timings_.measure("meshing");
+    mesh_ =
+        saved.empty()
+      ? body_.makeMesh(time, alone)
+      : readRegionMesh(time, name, time.timeName());
+    create(saved.size());
+    if (saved.empty())
+    {
+        start();
+    }
+    else
+    {
+        restore(saved);
+    }
+}
+
+
+const Foam::dictionary& Foam::fsbi::solidRegion::controls() const
+{
+    const dictionary* entries = mesh().solutionDict().findDict("solid");
+    return entries ? *entries : dictionary::null;
+}
+
+
+void Foam::fsbi::solidRegion::create(const bool saved)
+{
+    readFormulation();
+    volumes_ = mesh().cellVolumes();
+    centres_ = mesh().cellCentres();
+    fields_.reset(new solidFields(mesh(), saved));
+    conditions_.reset
+    (
+        new solidConditions(mesh_(), fields_->D(), reference_)
+    );
+    motion_ = motionScheme::New(mesh().d2dt2Scheme("d2dt2(D)"));
+    checkStatics();
+
+    movedCells_.setSize(mesh().nCells(), Zero);
+    movedFaces_.setSize(mesh().nFaces() - mesh().nInternalFaces(), Zero);
+    movedPoints_.setSize(mesh().nPoints(), Zero);
+    if (saved)
+    {
+        moveMesh();
+    }
+    elastic_.reset
+    (
+        new elasticOperator
+        (
+            mesh(), material_(), conditions_->given().kinds, formulation_,
+            checkedDictionary(controls()).getOrDefault
+            (
+                "mixed", material_->nu() >= 0.45
+            )
+        )
+    );
+    x_.setSize(elastic_->size(), 0);
+    increment_ = x_;
+    renewSolver();
+}
+
+
+void Foam::fsbi::solidRegion::readFormulation()
+{
+    typedef elasticOperator::formulation formulation;
+    const word chosen
+    (
+        checkedDictionary(controls()).choice
+        (
+            "formulation", elasticOperator::formulationNames.sortedToc(),
+            "totalLagrangian"
+        )
+    );
+    formulation_ = elasticOperator::formulationNames[chosen];
+    if (formulation_ != formulation::totalLagrangian)
+    {
+        reference_ = mesh().points();
+    }
+}
+
+
+bool Foam::fsbi::solidRegion::isStatic() const
+{
+    return isA<steadyState>(motion_());
+}
+
+
+void Foam::fsbi::solidRegion::checkStatics() const
+{
+    if (isStatic())
+    {
+        conditions_->checkSupports();
+    }
+    if (isStatic() && body_.moving())
+    {
+        FatalErrorInFunction
+            << "Body '" << name() << "' has a velocity at the start, but the"
+            << " scheme of d2dt2Schemes in system/" << name() << "/fvSchemes"
+            << " is steadyState, without inertia" << exit(FatalError);
+    }
+    if (!(material_->density() > 0) && (!isStatic() || body_.hasAcceleration()))
+    {
+        FatalErrorInFunction
+            << "Entry 'density' of constant/" << name() << "/material is"
+            << " missing: "
+            << (isStatic() ? "'acceleration' in constant/bodies" : "motion")
+            << " needs it. The scheme of d2dt2Schemes in system/" << name()
+            << "/fvSchemes is " << motion_->type()
+            << (isStatic() ? "" : "; for statics take steadyState")
+            << exit(FatalError);
+    }
+}
+
+
+void Foam::fsbi::solidRegion::setUnknowns()
+{
+    vector* u = reinterpret_cast<vector*>(x_.data());
+    const volVectorField& D = fields_->D();
+    std::copy(D.begin(), D.end(), u);
+    u += mesh().nCells();
+    const List<solidBoundary::kind>& kinds = conditions_->given().kinds;
+    forAll(kinds, i)
+    {
+        if (kinds[i] != solidBoundary::coupled)
+        {
+            *u++ = D[mesh().faceOwner()[mesh().nInternalFaces() + i]];
+        }
+    }
+}
+
+
+void Foam::fsbi::solidRegion::start()
+{
+    const vectorField u(fields_->D());
+    setUnknowns();
+    conditions_->evaluate(movedFaces_);
+    const vector centre(gSum(volumes_*centres_)/gSum(volumes_));
+    motion_->start
+    (
+        u, body_.velocity(centres_ + u, centre),
+        isStatic() ? vectorField(u.size(), Zero) : initialAcceleration()
+    );
+    if (!evaluate())
+    {
+        FatalErrorInFunction
+            << "The displacement at the start in 0/" << name() << "/D turns"
+            << " the body inside out" << exit(FatalError);
+    }
+    setFields();
+    remember();
+}
+
+
+Foam::vectorField Foam::fsbi::solidRegion::initialAcceleration()
+{
+    // the way in a time far below that of any oscillation
+    const vectorField u(cells());
+    const scalarField masses(material_->density()*volumes_);
+    const scalarField mass(masses*sqr(10*fastestFrequency()));
+    const vectorField force(volumeForce()*volumes_ + mass*u);
+    // so short a way that round-off allows no more
+    dictionary coarse(controls());
+    coarse.set("tolerance", 1e-6);
+    const solverReport report
+    (
+        solidSolver::New(mesh(), elastic_(), material_(), coarse)->solve
+        (
+            {conditions_->given(), force, mass}, x_
+        )
+    );
+    if (!report.converged || !evaluate())
+    {
+        FatalErrorInFunction
+            << "No acceleration at the start of body '" << name()
+            << "' balances its loads: " << faultOf(report).c_str()
+            << exit(FatalError);
+    }
+    std::copy(u.begin(), u.end(), reinterpret_cast<vector*>(x_.data()));
+    return -forces_/masses;
+}

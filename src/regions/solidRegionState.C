@@ -1,0 +1,122 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "solidRegion.H"
+#include "IOField.H"
+#include "Time.H"
+
+template<class Visitor>
+void Foam::fsbi::solidRegion::visitState(const Visitor& visit)
+{
+    visit("solution", x_);
+    visit("increment", increment_);
+    visit("faceForce", faceForce_);
+    if (moves())
+    {
+        visit("prior", elastic_->prior());
+        visit("carried", elastic_->carried());
+    }
+    if (material_->viscosity() > 0)
+    {
+        visit("before", elastic_->before());
+    }
+    motion_->fields
+    (
+        [&](const word& name, vectorField& field)
+        {
+            visit("motion." + name, field);
+        }
+    );
+}
+
+
+void Foam::fsbi::solidRegion::write
+(
+    const std::function<void(const regIOobject&)>& add
+)
+{
+    writeMesh(mesh(), moves() ? reference_ : mesh().points(), add);
+    fields_->write(add);
+    visitState
+    (
+        [&](const word& name, const auto& field)
+        {
+            typedef typename std::decay_t<decltype(field)>::value_type type;
+            add
+            (
+                IOField<type>
+                (
+                    IOobject
+                    (
+                        name, time_.timeName(), "state", mesh(),
+                        IOobject::NO_READ, IOobject::NO_WRITE, false
+                    ),
+                    field
+                )
+            );
+        }
+    );
+}
+
+
+void Foam::fsbi::solidRegion::save(dictionary& state) const
+{
+    body_.saveShape(state);
+    state.set("formulation", elasticOperator::formulationNames[formulation_]);
+    state.set("oldStep", oldStep_);
+    state.set("work", measures_.work);
+    state.set("volumeForce", volumeForce_);
+    dictionary motion;
+    motion_->save(motion);
+    state.set("motion", motion);
+}
+
+
+void Foam::fsbi::solidRegion::restore(const dictionary& state)
+{
+    body_.checkShape(state);
+    const auto changed = [this](const char* what)
+    {
+        FatalErrorInFunction
+            << "Body '" << name() << "': " << what << " no longer as in the"
+            << " saved state. Put it back, or start a new run at time 0"
+            << exit(FatalError);
+    };
+    if
+    (
+        state.get<word>("formulation")
+     != elasticOperator::formulationNames[formulation_]
+    )
+    {
+        changed("'formulation' is");
+    }
+    const label size = x_.size();
+    motion_->restore(state.subDict("motion"));
+    visitState
+    (
+        [&](const word& name, auto& field)
+        {
+            typedef typename std::decay_t<decltype(field)>::value_type type;
+            const IOField<type> saved
+            (
+                IOobject
+                (
+                    name, time_.timeName(), "state", mesh(),
+                    IOobject::MUST_READ, IOobject::NO_WRITE, false
+                )
+            );
+            field = saved;
+        }
+    );
+    if (x_.size() != size)
+    {
+        changed("'mixed' or the kinds of boundary conditions are");
+    }
+    oldStep_ = state.get<scalar>("oldStep");
+    measures_.work = state.get<scalar>("work");
+    volumeForce_ = state.get<vector>("volumeForce");
+    faceD_ = fields_->boundaryD();
+    sumD_ = gSum(volumes_*fields_->D());
+}
