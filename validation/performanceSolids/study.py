@@ -1,0 +1,139 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Error, iterations, seconds and memory of beams (fsbiTestElastic -beam)."""
+
+import csv
+import os
+import subprocess
+import sys
+
+from fsbi.plots import curves
+from fsbi.results import Results
+
+quick = sys.argv[1] == "true"
+TABLE = "runs.csv"
+table = []
+
+
+def beam(kind, across, length, solid="tolerance 1e-8;", **entries):
+    """Run one beam; its row of the table, numbers as numbers."""
+    text = f"kind {kind}; across {across}; length {length}; "
+    text += " ".join(f"{key} {value};" for key, value in entries.items())
+    process = subprocess.Popen(
+        ["fsbiTestElastic", "-beam", text + f" solid {{ {solid} }}"],
+        stdout=subprocess.PIPE, text=True)
+    output = process.stdout.read()
+    _, status, usage = os.wait4(process.pid, 0)
+    if status:
+        sys.exit(f"{text}: the program failed\n{output[-2000:]}")
+    names, values = output.strip().splitlines()[-2:]
+    row = dict(kind=kind, across=across, length=length, solid=solid, **entries)
+    row.update(zip(names.split(","), map(float, values.split(","))))
+    row["megabytes"] = usage.ru_maxrss/1024
+    table.append(row)
+    print(f"    {kind} {across} across, L/h {length}, {solid} {entries}: "
+          f"{row['cells']:.0f} cells, {row['krylov']:.0f} iterations, "
+          f"{row['seconds']:.2f} s", flush=True)
+    return row
+
+
+def meshes(results):
+    """Error against seconds and iterations over cells, exact flexure."""
+    ladders = {"hexahedra": [4, 8] if quick else [4, 8, 12, 16, 23],
+               "tetrahedra": [4] if quick else [4, 6, 9, 13]}
+    runs = {kind: [beam(kind, n, 8, flexure="yes") for n in ladder]
+            for kind, ladder in ladders.items()}
+    if not quick:
+        for error in ("displacementError", "stressError"):
+            curves(
+                f"{error}AgainstSeconds.png",
+                [(kind, [r["seconds"] for r in ladder],
+                  [r[error] for r in ladder]) for kind, ladder in runs.items()],
+                xlabel="seconds of solution", xlog=True, ylog=True,
+                ylabel=f"relative l2 error of the {error[:-5]}",
+                title="Flexure of a beam, L/h 8: finer meshes")
+    for kind, ladder in runs.items():
+        last = ladder[-1]
+        results.add(f"krylov_iterations_{kind}_abs", last["krylov"], 0, 80,
+                    seconds=last["seconds"], cells=last["cells"])
+        kilobytes = 1024*(last["megabytes"] - ladder[0]["megabytes"]) \
+            / max(last["cells"] - ladder[0]["cells"], 1)
+        if not quick:
+            results.add(f"kilobytes_per_cell_{kind}_abs", kilobytes, 0, 20,
+                        cells=last["cells"])
+
+
+def formulations():
+    """Seconds over formulations for one answer."""
+    sizes = [4] if quick else [4, 8, 12]
+    return {
+        form: [beam("hexahedra", n, 8, law="StVenantKirchhoff", flexure="yes",
+                    solid=f"tolerance 1e-8; formulation {form};")
+               for n in sizes]
+        for form in ("totalLagrangian", "updatedLagrangian", "slowProcess")
+    }
+
+
+def methods(results):
+    """NewtonKrylov against segregated, to one residual."""
+    for n in [4] if quick else [4, 8, 23]:
+        control = "tolerance 1e-4;"
+        newton = beam("hexahedra", n, 8, flexure="yes", solid=control)
+        swept = beam("hexahedra", n, 8, flexure="yes",
+                     solid="method segregated; " + control)
+        results.at_least(
+            f"speedup_over_segregated_{n}_across",
+            swept["seconds"]/newton["seconds"], 20 if n == 23 else 5,
+            seconds=swept["seconds"], cells=newton["cells"])
+
+
+def slender(results):
+    run = beam("hexahedra", 8, 20, solid="tolerance 1e-6;")
+    results.add("slender_20_deflection", run["ratio"], 1, 0.012,
+                seconds=run["seconds"], cells=run["cells"])
+    if not quick:
+        results.add("slender_20_seconds_abs", run["seconds"], 0, 2,
+                    seconds=run["seconds"], cells=run["cells"])
+    for kind in ("hexahedra", "tetrahedra"):
+        run = beam(kind, 4, 40)
+        results.add(f"slender_40_iterations_{kind}_abs", run["krylov"], 0, 80,
+                    seconds=run["seconds"], cells=run["cells"])
+
+
+def bending(results):
+    """8 cells across; near-incompressible bodies with their own pressure."""
+    for kind in ("hexahedra", "tetrahedra"):
+        for nu in (0.3, 0.45, 0.49, 0.499):
+            run = beam(kind, 8, 5, nu=nu)
+            results.add(f"bending_{kind}_nu_{nu}", run["ratio"], 1,
+                        0.02 if nu == 0.3 else 0.03,
+                        seconds=run["seconds"], cells=run["cells"])
+
+
+def write():
+    names = list(dict.fromkeys(key for row in table for key in row))
+    with open(TABLE, "w", newline="") as file:
+        writer = csv.DictWriter(file, names, lineterminator="\n")
+        writer.writeheader()
+        for row in table:
+            writer.writerow({k: f"{v:.6g}" if isinstance(v, float) else v
+                             for k, v in row.items()})
+
+
+results = Results("elastic")
+meshes(results)
+forms = formulations()
+slender(results)
+bending(results)
+methods(results)
+if not quick:
+    write()
+    curves(
+        "formulationsAgainstSeconds.png",
+        [(form, [r["seconds"] for r in ladder],
+          [r["stressError"] for r in ladder])
+         for form, ladder in forms.items()],
+        xlabel="seconds of solution", xlog=True, ylog=True,
+        ylabel="relative l2 error of the stress",
+        title="Flexure of a beam, L/h 8: formulations")
+results.write()
