@@ -23,19 +23,6 @@ namespace fsbi
 //- Smoothing of the pressure: larger is smoother, and less local
 static const scalar smoothingScale = 1;
 
-//- J F^-T, which turns areas
-inline tensor cofactor(const tensor& F)
-{
-    return det(F)*inv(F).T();
-}
-
-inline tensor cofactorTangent(const tensor& F, const tensor& dF)
-{
-    const tensor inverse(inv(F));
-    const tensor turned(inverse & dF);
-    return det(F)*(tr(turned)*inverse - (turned & inverse)).T();
-}
-
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -107,12 +94,6 @@ Foam::scalar Foam::fsbi::elasticOperator::stiffness() const
 {
     const scalar mu = material_.mu();
     return mixed_ ? 4*mu/3 : mu + (mu + material_.lambda())/3;
-}
-
-
-Foam::scalar Foam::fsbi::elasticOperator::normalStiffness() const
-{
-    return 2*material_.mu() + (mixed_ ? 0 : material_.lambda());
 }
 
 
@@ -206,110 +187,6 @@ Foam::tensor Foam::fsbi::elasticOperator::cellMean
 }
 
 
-Foam::tensor Foam::fsbi::elasticOperator::lawStress(const label v) const
-{
-    if (material_.linear())
-    {
-        // 1 + grad u would lose the digits of small strains
-        const tensor P
-        (
-            lawTangent(v, gradient_[v], mixed_ ? pressure_[v] : 0)
-        );
-        return
-            material_.viscosity() > 0
-          ? P - material_.viscousStress(F_[v], rate(before_[v] - tensor::I))
-          : P;
-    }
-    const tensor& F = F_[v];
-    tensor P
-    (
-        mixed_
-      ? material_.shearStress(F) - pressure_[v]*material_.thetaGradient(F)
-      : material_.stress(F)
-    );
-    if (material_.viscosity() > 0)
-    {
-        P += material_.viscousStress(F, rate(F - before_[v]));
-    }
-    return P;
-}
-
-
-Foam::tensor Foam::fsbi::elasticOperator::lawTangent
-(
-    const label v, const tensor& dF, const scalar dp
-) const
-{
-    const tensor& F = F_[v];
-    tensor dP
-    (
-        mixed_
-      ? material_.shearTangent(F, dF)
-      - pressure_[v]*material_.thetaTangent(F, dF)
-      - dp*material_.thetaGradient(F)
-      : material_.tangent(F, dF)
-    );
-    if (material_.viscosity() > 0)
-    {
-        dP += material_.viscousTangent
-        (
-            F, rate(F - before_[v]), dF, rate(dF)
-        );
-    }
-    return dP;
-}
-
-
-Foam::tensor Foam::fsbi::elasticOperator::pushed
-(
-    const label v, const tensor& P
-) const
-{
-    switch (formulation_)
-    {
-        case formulation::totalLagrangian:
-            return P;
-        case formulation::updatedLagrangian:
-            return (P & prior_[v].T())/det(prior_[v]);
-        default:
-            return (tensor::I + gradient_[v]) & inv(F_[v]) & P;
-    }
-}
-
-
-Foam::tensor Foam::fsbi::elasticOperator::pushedTangent
-(
-    const label v, const tensor& dF, const tensor& dP
-) const
-{
-    if (formulation_ != formulation::slowProcess)
-    {
-        return pushed(v, dP);
-    }
-    // of F'' S, S = F^-1 P
-    const tensor inverse(inv(F_[v]));
-    const tensor S(inverse & lawStress(v));
-    const tensor dS(inverse & (dP - (dF & S)));
-    return (dGradient_[v] & S) + ((tensor::I + gradient_[v]) & dS);
-}
-
-
-void Foam::fsbi::elasticOperator::setStress()
-{
-    valid_ = true;
-    forAll(F_, v)
-    {
-        F_[v] = (tensor::I + gradient_[v]) & prior_[v];
-        if (!material_.defined(F_[v]))
-        {
-            valid_ = false;
-            F_[v] = prior_[v];
-        }
-        stress_[v] = pushed(v, lawStress(v));
-    }
-}
-
-
 Foam::vector Foam::fsbi::elasticOperator::unexplained
 (
     const label i, const vectorField& values, const tensorField& gradient
@@ -359,112 +236,6 @@ void Foam::fsbi::elasticOperator::addFaces
         if (N < nCells)
         {
             row[N] += T;
-        }
-    }
-}
-
-
-Foam::vector Foam::fsbi::elasticOperator::footToFace(const label ghost) const
-{
-    const label i = stencil_.firstBoundary() + ghost;
-    const label facei = stencil_.face()[i];
-    return
-        mesh_.faceCentres()[facei]
-      - mesh_.cellCentres()[stencil_.owner()[i]]
-      - 0.5*stencil_.delta()[i];
-}
-
-
-Foam::vector Foam::fsbi::elasticOperator::load(const label ghost) const
-{
-    const label i = stencil_.firstBoundary() + ghost;
-    const label b = stencil_.ghostFaces()[ghost];
-    const vector& S = stencil_.area()[i];
-    vector t(mag(S)*given_->faces[b]);
-    if (given_->pressure[b] != 0 || given_->follower[b] != vector::zero)
-    {
-        const vector A(cofactor(tensor::I + faceMean(i, gradient_)) & S);
-        t += mag(A)*given_->follower[b] - given_->pressure[b]*A;
-    }
-    return t;
-}
-
-
-Foam::vector Foam::fsbi::elasticOperator::loadTangent
-(
-    const label ghost, const tensor& dGradient
-) const
-{
-    const label i = stencil_.firstBoundary() + ghost;
-    const label b = stencil_.ghostFaces()[ghost];
-    if (given_->pressure[b] == 0 && given_->follower[b] == vector::zero)
-    {
-        return Zero;
-    }
-    const vector& S = stencil_.area()[i];
-    const tensor F(tensor::I + faceMean(i, gradient_));
-    const vector A(cofactor(F) & S);
-    const vector dA(cofactorTangent(F, dGradient) & S);
-    return
-        (A & dA)/mag(A)*given_->follower[b] - given_->pressure[b]*dA;
-}
-
-
-void Foam::fsbi::elasticOperator::addBoundary
-(
-    const vectorField& values,
-    const tensorField& gradient,
-    const vectorField& force,
-    const vectorField& load,
-    const bool homogeneous,
-    scalar* r
-) const
-{
-    vector* row = reinterpret_cast<vector*>(r);
-    vector* ghostRow = row + mesh_.nCells();
-    forAll(force, g)
-    {
-        const label i = stencil_.firstBoundary() + g;
-        const label P = stencil_.owner()[i];
-        const vector& uP = values[P];
-        const vector& uG = values[stencil_.neighbour()[i]];
-        const label b = stencil_.ghostFaces()[g];
-        switch (kinds_[b])
-        {
-            case solidBoundary::displacement:
-            {
-                // parabola through the cell, with its slope, and the face
-                const tensor slope(cellMean(P, gradient));
-                const vector uFoot(uP + (slope & footToFace(g)));
-                const vector uB
-                (
-                    homogeneous ? vector::zero : given_->faces[b]
-                );
-                row[P] -= force[g];
-                ghostRow[g] =
-                    0.5*(uG - uP) - 2*(uB - uFoot)
-                  + 0.5*(slope & stencil_.delta()[i]);
-                break;
-            }
-            case solidBoundary::traction:
-            {
-                const vector n(normalised(stencil_.area()[i]));
-                const vector excess
-                (
-                    (force[g] - load[g])/stencil_.compact()[i]
-                );
-                row[P] -= load[g];
-                ghostRow[g] =
-                    (excess - n*(n & excess))/material_.mu()
-                  + n*(n & excess)/normalStiffness();
-                break;
-            }
-            default:
-            {
-                const vector n(normalised(stencil_.area()[i]));
-                row[P] -= n*(n & force[g]);
-                ghostRow[g] = uG - uP + 2*n*(n & uP);
-            }
         }
     }
 }
@@ -586,17 +357,6 @@ bool Foam::fsbi::elasticOperator::valid() const
 }
 
 
-Foam::tmp<Foam::vectorField> Foam::fsbi::elasticOperator::boundaryForce() const
-{
-    auto result = tmp<vectorField>::New(kinds_.size(), Zero);
-    forAll(boundaryForce_, g)
-    {
-        result.ref()[stencil_.ghostFaces()[g]] = boundaryForce_[g];
-    }
-    return result;
-}
-
-
 Foam::tmp<Foam::vectorField>
 Foam::fsbi::elasticOperator::vertexDisplacement() const
 {
@@ -616,37 +376,6 @@ Foam::fsbi::elasticOperator::vertexDisplacement() const
         }
     }
     sharedVertices::sum<3>(mesh_, u.begin()->v_, stencil_.halo().size());
-    return result;
-}
-
-
-Foam::tmp<Foam::vectorField>
-Foam::fsbi::elasticOperator::boundaryDisplacement() const
-{
-    auto result = tmp<vectorField>::New(kinds_.size(), Zero);
-    for (label g = 0; g < nGhosts(); ++g)
-    {
-        const label i = stencil_.firstBoundary() + g;
-        const label P = stencil_.owner()[i];
-        const vector& uP = values_[P];
-        const vector& uG = values_[stencil_.neighbour()[i]];
-        const tensor slope(cellMean(P, gradient_));
-        result.ref()[stencil_.ghostFaces()[g]] =
-            0.25*(3*uP + uG) + (slope & footToFace(g))
-          + 0.25*(slope & stencil_.delta()[i]);
-    }
-    return result;
-}
-
-
-Foam::tmp<Foam::symmTensorField>
-Foam::fsbi::elasticOperator::vertexStress() const
-{
-    auto result = tmp<symmTensorField>::New(mesh_.nPoints());
-    forAll(result(), v)
-    {
-        result.ref()[v] = material_.Cauchy(lawStress(v), F_[v]);
-    }
     return result;
 }
 
