@@ -217,7 +217,10 @@ void Foam::fsbi::solidRegion::beginStep()
     {
         x_ += (dt/oldStep_)*increment_;
     }
-    const string text(motion_->warning(dt, fastestFrequency()));
+    const string text
+    (
+        isStatic() ? string() : motion_->warning(dt, fastestFrequency())
+    );
     if (text.size() && schemeWarning_.empty())
     {
         Info<< "Body '" << name() << "': " << text.c_str() << endl;
