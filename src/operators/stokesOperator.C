@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "stokesOperator.H"
+#include "sharedVertices.H"
 #include "syncTools.H"
 
 namespace Foam
@@ -13,28 +14,6 @@ namespace fsbi
 
 //- Of the pressure stabilisation: larger is smoother, and less local
 static const scalar stabilisationScale = 1;
-
-//- [u v w p] at a vertex, for summing over processors
-typedef FixedList<scalar, 4> state4;
-
-struct plusEqState4
-{
-    void operator()(state4& a, const state4& b) const
-    {
-        forAll(a, i)
-        {
-            a[i] += b[i];
-        }
-    }
-};
-
-//- Coupled patches are translational: nothing turns
-struct noTransform
-{
-    template<class... Args>
-    void operator()(Args&&...) const
-    {}
-};
 
 } // End namespace fsbi
 } // End namespace Foam
@@ -129,36 +108,6 @@ void Foam::fsbi::stokesOperator::setStabilisation()
 }
 
 
-void Foam::fsbi::stokesOperator::sumSharedVertices() const
-{
-    if (!UPstream::parRun() && !stencil_.halo().size())
-    {
-        return;
-    }
-    const globalMeshData& global = mesh_.globalData();
-    const labelList& shared = global.coupledPatch().meshPoints();
-    List<state4> sums(shared.size());
-    forAll(shared, i)
-    {
-        std::copy_n(vertexValues_.begin() + 4*shared[i], 4, sums[i].begin());
-    }
-    globalMeshData::syncData
-    (
-        sums,
-        global.globalPointSlaves(),
-        global.globalPointTransformedSlaves(),
-        global.globalPointSlavesMap(),
-        global.globalTransforms(),
-        plusEqState4(),
-        noTransform()
-    );
-    forAll(shared, i)
-    {
-        std::copy_n(sums[i].begin(), 4, vertexValues_.begin() + 4*shared[i]);
-    }
-}
-
-
 void Foam::fsbi::stokesOperator::setVertexValues
 (
     const scalar* x,
@@ -188,7 +137,10 @@ void Foam::fsbi::stokesOperator::setVertexValues
         std::copy_n(sum, 4, vertexValues_.begin() + 4*v);
     }
 
-    sumSharedVertices();
+    sharedVertices::sum<4>
+    (
+        mesh_, vertexValues_.begin(), stencil_.halo().size()
+    );
 
     forAll(wallVertices_, i)
     {

@@ -48,72 +48,23 @@ Foam::fsbi::NewtonKrylov::NewtonKrylov
 
 void Foam::fsbi::NewtonKrylov::createKrylov()
 {
-    const PetscInt n = elastic_.size();
-    petscCheck
+    const auto multiply = [this](const scalar* x, scalar* y)
+    {
+        elastic_.tangent(x, y);
+        residual_.finishTangent(x, y);
+    };
+    const auto precondition = [this](const scalar* r, scalar* z)
+    {
+        residual_.unscale(r, row_);
+        preconditioner_.apply(row_.cdata(), z);
+    };
+    krylov_.reset
     (
-        MatCreateShell
+        new matrixFreeKrylov
         (
-            PETSC_COMM_WORLD, n, n, PETSC_DETERMINE, PETSC_DETERMINE, this,
-            operator_.create()
+            elastic_.size(), "fsbiSolidKrylov_", 100, multiply, precondition
         )
     );
-    petscCheck
-    (
-        MatShellSetOperation
-        (
-            operator_, MATOP_MULT, reinterpret_cast<void(*)(void)>(multiply)
-        )
-    );
-    petscCheck(MatCreateVecs(operator_, unknown_.create(), rhs_.create()));
-
-    PC pc;
-    petscCheck(KSPCreate(PETSC_COMM_WORLD, krylov_.create()));
-    petscCheck(KSPSetOperators(krylov_, operator_, operator_));
-    petscCheck(KSPSetType(krylov_, KSPFGMRES));
-    petscCheck(KSPGMRESSetRestart(krylov_, 100));
-    petscCheck(KSPGetPC(krylov_, &pc));
-    petscCheck(PCSetType(pc, PCSHELL));
-    petscCheck(PCShellSetContext(pc, this));
-    petscCheck(PCShellSetApply(pc, applyPreconditioner));
-    petscCheck(KSPSetOptionsPrefix(krylov_, "fsbiSolidKrylov_"));
-    petscCheck(KSPSetFromOptions(krylov_));
-}
-
-
-PetscErrorCode Foam::fsbi::NewtonKrylov::multiply(Mat A, Vec in, Vec out)
-{
-    void* context;
-    MatShellGetContext(A, &context);
-    const auto& self = *static_cast<NewtonKrylov*>(context);
-    const PetscScalar* x;
-    PetscScalar* y;
-    VecGetArrayRead(in, &x);
-    VecGetArray(out, &y);
-    self.elastic_.tangent(x, y);
-    self.residual_.finishTangent(x, y);
-    VecRestoreArray(out, &y);
-    VecRestoreArrayRead(in, &x);
-    return 0;
-}
-
-
-PetscErrorCode Foam::fsbi::NewtonKrylov::applyPreconditioner
-(
-    PC pc, Vec in, Vec out
-)
-{
-    void* context;
-    PCShellGetContext(pc, &context);
-    const auto& self = *static_cast<NewtonKrylov*>(context);
-    const PetscScalar* r;
-    PetscScalar* z;
-    VecGetArrayRead(in, &r);
-    VecGetArray(out, &z);
-    self.residual_.unscale(r, self.row_);
-    self.preconditioner_.apply(self.row_.cdata(), z);
-    VecRestoreArray(out, &z);
-    VecRestoreArrayRead(in, &r);
-    return 0;
 }
 
 
@@ -123,27 +74,14 @@ Foam::label Foam::fsbi::NewtonKrylov::correction(const scalar accuracy)
     {
         preconditioner_.rebuild(residual_.problem().mass);
     }
-    PetscScalar* values;
-    VecGetArray(rhs_, &values);
-    std::copy(residual_.rows().begin(), residual_.rows().end(), values);
-    VecRestoreArray(rhs_, &values);
-    petscCheck
+    dx_ = 0;
+    const label iterations = krylov_->solve
     (
-        KSPSetTolerances
-        (
-            krylov_, accuracy, PETSC_DEFAULT, PETSC_DEFAULT, maxKrylov
-        )
-    );
-    petscCheck(KSPSolve(krylov_, rhs_, unknown_));
-    VecGetArray(unknown_, &values);
-    std::copy_n(values, dx_.size(), dx_.begin());
-    VecRestoreArray(unknown_, &values);
-
-    PetscInt iterations;
-    KSPGetIterationNumber(krylov_, &iterations);
+        residual_.rows().cdata(), dx_.begin(), accuracy, maxKrylov
+    ).iterations;
     if (!freshIterations_)
     {
-        freshIterations_ = max(label(iterations), 10);
+        freshIterations_ = max(iterations, 10);
     }
     else if (iterations > renewAbove*freshIterations_)
     {

@@ -39,80 +39,29 @@ Foam::fsbi::coupledSystem::coupledSystem
 
 void Foam::fsbi::coupledSystem::createKrylov(const label nBodies)
 {
-    const PetscInt n =
-        4*mesh_.nCells() + (Pstream::master() ? 6*nBodies : 0);
-
-    petscCheck
+    const label nCells = mesh_.nCells();
+    const label nRows = 4*nCells + (Pstream::master() ? 6*nBodies : 0);
+    krylov_.reset
     (
-        MatCreateShell
+        new matrixFreeKrylov
         (
-            PETSC_COMM_WORLD, n, n, PETSC_DETERMINE, PETSC_DETERMINE, this,
-            operator_.create()
+            nRows, "fsbiKrylov_", 60,
+            [this](const scalar* x, scalar* y){ residual(x, y, true); },
+            [this](const scalar* r, scalar* z){ precondition(r, z); }
         )
     );
-    petscCheck
-    (
-        MatShellSetOperation
-        (
-            operator_, MATOP_MULT, reinterpret_cast<void(*)(void)>(multiply)
-        )
-    );
-    petscCheck(MatCreateVecs(operator_, unknown_.create(), rhs_.create()));
-    if (closed_)
+    if (!closed_)
     {
-        setNullSpace(nBodies);
+        return;
     }
-
-    PC pc;
-    petscCheck(KSPCreate(PETSC_COMM_WORLD, krylov_.create()));
-    petscCheck(KSPSetOperators(krylov_, operator_, operator_));
-    petscCheck(KSPSetType(krylov_, KSPFGMRES));
-    petscCheck(KSPGMRESSetRestart(krylov_, 60));
-    petscCheck(KSPSetInitialGuessNonzero(krylov_, PETSC_TRUE));
-    petscCheck
-    (
-        KSPSetTolerances
-        (
-            krylov_, tolerance_, PETSC_DEFAULT, PETSC_DEFAULT, maxIterations_
-        )
-    );
-    petscCheck(KSPGetPC(krylov_, &pc));
-    petscCheck(PCSetType(pc, PCSHELL));
-    petscCheck(PCShellSetContext(pc, this));
-    petscCheck(PCShellSetApply(pc, applyPreconditioner));
-    petscCheck(KSPSetOptionsPrefix(krylov_, "fsbiKrylov_"));
-    petscCheck(KSPSetFromOptions(krylov_));
-}
-
-
-void Foam::fsbi::coupledSystem::setNullSpace(const label nBodies)
-{
-    petscVector constant;
-    petscCheck(VecDuplicate(unknown_, constant.create()));
-    PetscScalar* values;
-    VecGetArray(constant, &values);
-    std::fill_n(values, 4*mesh_.nCells(), PetscScalar(0));
-    if (Pstream::master())
+    krylov_->setNullVector([=](scalar* values)
     {
-        std::fill_n(values + 4*mesh_.nCells(), 6*nBodies, PetscScalar(0));
-    }
-    for (label i = 0; i < mesh_.nCells(); ++i)
-    {
-        values[4*i + 3] = 1;
-    }
-    VecRestoreArray(constant, &values);
-    petscCheck(VecNormalize(constant, nullptr));
-
-    petscNullSpace space;
-    Vec held = constant;
-    petscCheck
-    (
-        MatNullSpaceCreate
-        (
-            PETSC_COMM_WORLD, PETSC_FALSE, 1, &held, space.create()
-        )
-    );
-    petscCheck(MatSetNullSpace(operator_, space));
+        std::fill_n(values, nRows, scalar(0));
+        for (label i = 0; i < nCells; ++i)
+        {
+            values[4*i + 3] = 1;
+        }
+    });
 }
 
 
@@ -196,39 +145,6 @@ void Foam::fsbi::coupledSystem::residual
 }
 
 
-PetscErrorCode Foam::fsbi::coupledSystem::multiply(Mat A, Vec in, Vec out)
-{
-    void* context;
-    MatShellGetContext(A, &context);
-    const PetscScalar* x;
-    PetscScalar* y;
-    VecGetArrayRead(in, &x);
-    VecGetArray(out, &y);
-    static_cast<coupledSystem*>(context)->residual(x, y, true);
-    VecRestoreArray(out, &y);
-    VecRestoreArrayRead(in, &x);
-    return 0;
-}
-
-
-PetscErrorCode Foam::fsbi::coupledSystem::applyPreconditioner
-(
-    PC pc, Vec in, Vec out
-)
-{
-    void* context;
-    PCShellGetContext(pc, &context);
-    const PetscScalar* r;
-    PetscScalar* z;
-    VecGetArrayRead(in, &r);
-    VecGetArray(out, &z);
-    static_cast<coupledSystem*>(context)->precondition(r, z);
-    VecRestoreArray(out, &z);
-    VecRestoreArrayRead(in, &r);
-    return 0;
-}
-
-
 void Foam::fsbi::coupledSystem::precondition
 (
     const scalar* r,
@@ -296,43 +212,38 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSystem::solve
     }
 
     // right-hand side: minus the residual at rest
-    PetscScalar* rhs;
+    scalarList rhs(result_.size());
     result_ = Zero;
-    VecGetArray(rhs_, &rhs);
-    residual(result_.cdata(), rhs, false);
-    VecRestoreArray(rhs_, &rhs);
-    petscCheck(VecScale(rhs_, -1));
+    residual(result_.cdata(), rhs.begin(), false);
+    forAll(rhs, i)
+    {
+        rhs[i] = -rhs[i];
+    }
 
     List<sixVector> v(bodies.size());
     forAll(v, b)
     {
         v[b] = bodies[b].velocity;
     }
-    PetscScalar* values;
-    VecGetArray(unknown_, &values);
-    std::copy_n(x.begin(), 4*n, values);
-    writeBodies(v, values);
-    VecRestoreArray(unknown_, &values);
+    scalarList unknown(result_.size());
+    std::copy_n(x.begin(), 4*n, unknown.begin());
+    writeBodies(v, unknown.begin());
 
-    petscCheck(KSPSolve(krylov_, rhs_, unknown_));
-
+    const matrixFreeKrylov::outcome outcome
+    (
+        krylov_->solve
+        (
+            rhs.cdata(), unknown.begin(), tolerance_, maxIterations_
+        )
+    );
     solverReport report;
-    PetscInt iterations;
-    PetscReal norm, rhsNorm;
-    KSPConvergedReason reason;
-    KSPGetIterationNumber(krylov_, &iterations);
-    KSPGetResidualNorm(krylov_, &norm);
-    KSPGetConvergedReason(krylov_, &reason);
-    VecNorm(rhs_, NORM_2, &rhsNorm);
-    report.iterations = iterations;
-    report.residual = norm/max(rhsNorm, VSMALL);
-    report.converged = reason > 0;
+    report.iterations = outcome.iterations;
+    report.residual = outcome.residual;
+    report.converged = outcome.converged;
 
-    VecGetArray(unknown_, &values);
-    residual(values, result_.data(), false);
-    v = readBodies(values);
-    std::copy_n(values, 4*n, x.begin());
-    VecRestoreArray(unknown_, &values);
+    residual(unknown.cdata(), result_.data(), false);
+    v = readBodies(unknown.cdata());
+    std::copy_n(unknown.begin(), 4*n, x.begin());
     forAll(v, b)
     {
         bodies[b].velocity = v[b];

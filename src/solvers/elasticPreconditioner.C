@@ -182,33 +182,6 @@ void Foam::fsbi::elasticPreconditioner::addPressures
 }
 
 
-void Foam::fsbi::elasticPreconditioner::setGhosts(const scalar* r) const
-{
-    const label nCells = mesh_.nCells();
-    const vector* row = reinterpret_cast<const vector*>(r) + nCells;
-    for (label g = 0; g < stencil_.nGhosts(); ++g)
-    {
-        const label i = stencil_.firstBoundary() + g;
-        const vector& u = z_[stencil_.owner()[i]];
-        vector& ghost = z_[nCells + g];
-        switch (elastic_.kinds()[stencil_.ghostFaces()[g]])
-        {
-            case solidBoundary::displacement:
-                ghost = row[g] - u;
-                break;
-            case solidBoundary::traction:
-                ghost = row[g] + u;
-                break;
-            default:
-            {
-                const vector n(normalised(stencil_.area()[i]));
-                ghost = row[g] + u - 2*n*(n & u);
-            }
-        }
-    }
-}
-
-
 void Foam::fsbi::elasticPreconditioner::apply
 (
     const scalar* r, scalar* z
@@ -221,7 +194,13 @@ void Foam::fsbi::elasticPreconditioner::apply
     addGhosts(r);
     addPressures(r, z);
     sweep(rhs_, z_);
-    setGhosts(r);
+    const label nCells = mesh_.nCells();
+    std::copy_n
+    (
+        reinterpret_cast<const vector*>(r) + nCells, stencil_.nGhosts(),
+        z_.begin() + nCells
+    );
+    elastic_.followCells(z_.begin());
     vertices_.addCorrection(rhs_, z_);
     std::copy_n(z_.begin()->v_, 3*z_.size(), z);
 }

@@ -144,47 +144,7 @@ void Foam::fsbi::segregated::solveCells()
     }
     for (label k = 0; k < 3; ++k)
     {
-        PetscScalar* values;
-        VecGetArray(source_, &values);
-        for (label i = 0; i < nCells; ++i)
-        {
-            values[i] = rows_[3*i + k];
-        }
-        VecRestoreArray(source_, &values);
-        petscCheck(KSPSolve(krylov_, source_, solution_));
-        VecGetArray(solution_, &values);
-        for (label i = 0; i < nCells; ++i)
-        {
-            rows_[3*i + k] = values[i];
-        }
-        VecRestoreArray(solution_, &values);
-    }
-}
-
-
-void Foam::fsbi::segregated::setGhosts()
-{
-    const elasticStencil& stencil = elastic_.stencil();
-    vector* du = reinterpret_cast<vector*>(rows_.begin());
-    for (label g = 0; g < stencil.nGhosts(); ++g)
-    {
-        const label i = stencil.firstBoundary() + g;
-        const vector& cell = du[stencil.owner()[i]];
-        vector& ghost = du[mesh_.nCells() + g];
-        switch (elastic_.kinds()[stencil.ghostFaces()[g]])
-        {
-            case solidBoundary::displacement:
-                ghost -= cell;
-                break;
-            case solidBoundary::traction:
-                ghost += cell;
-                break;
-            default:
-            {
-                const vector n(normalised(stencil.area()[i]));
-                ghost += cell - 2*n*(n & cell);
-            }
-        }
+        solveComponent(krylov_, source_, solution_, 3, rows_.begin() + k);
     }
 }
 
@@ -220,7 +180,7 @@ Foam::fsbi::solverReport Foam::fsbi::segregated::solve
         }
         residual_.unscale(residual_.rows().cdata(), rows_);
         solveCells();
-        setGhosts();
+        elastic_.followCells(reinterpret_cast<vector*>(rows_.begin()));
         forAll(x, i)
         {
             x[i] -= relaxation_*rows_[i];

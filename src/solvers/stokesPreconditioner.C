@@ -179,21 +179,7 @@ void Foam::fsbi::stokesPreconditioner::apply
 
     for (label k = 0; k < 3; ++k)
     {
-        PetscScalar* values;
-        VecGetArray(source_, &values);
-        for (label i = 0; i < n; ++i)
-        {
-            values[i] = z[4*i + k];
-        }
-        VecRestoreArray(source_, &values);
-        petscCheck(KSPSolve(cycle_, source_, solution_));
-        const PetscScalar* result;
-        VecGetArrayRead(solution_, &result);
-        for (label i = 0; i < n; ++i)
-        {
-            z[4*i + k] = result[i];
-        }
-        VecRestoreArrayRead(solution_, &result);
+        solveComponent(cycle_, source_, solution_, 4, z + k);
     }
     for (label i = 0; i < n; ++i)
     {

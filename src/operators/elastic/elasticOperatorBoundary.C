@@ -167,3 +167,28 @@ Foam::fsbi::elasticOperator::boundaryDisplacement() const
     }
     return result;
 }
+
+
+void Foam::fsbi::elasticOperator::followCells(vector* du) const
+{
+    for (label g = 0; g < nGhosts(); ++g)
+    {
+        const label i = stencil_.firstBoundary() + g;
+        const vector& cell = du[stencil_.owner()[i]];
+        vector& ghost = du[mesh_.nCells() + g];
+        switch (kinds_[stencil_.ghostFaces()[g]])
+        {
+            case solidBoundary::displacement:
+                ghost -= cell;
+                break;
+            case solidBoundary::traction:
+                ghost += cell;
+                break;
+            default:
+            {
+                const vector n(normalised(stencil_.area()[i]));
+                ghost += cell - 2*n*(n & cell);
+            }
+        }
+    }
+}
