@@ -1,6 +1,7 @@
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Error, iterations, seconds and memory of beams (fsbiTestElastic -beam)."""
+"""Error, iterations, processor seconds and memory of beams, one process each
+(fsbiTestElastic -beam)."""
 
 import csv
 import os
@@ -49,7 +50,7 @@ def meshes(results):
                 f"{error}AgainstSeconds.png",
                 [(kind, [r["seconds"] for r in ladder],
                   [r[error] for r in ladder]) for kind, ladder in runs.items()],
-                xlabel="seconds of solution", xlog=True, ylog=True,
+                xlabel="processor seconds", xlog=True, ylog=True,
                 ylabel=f"relative l2 error of the {error[:-5]}",
                 title="Flexure of a beam, L/h 8: finer meshes")
     for kind, ladder in runs.items():
@@ -133,7 +134,7 @@ if not quick:
         [(form, [r["seconds"] for r in ladder],
           [r["stressError"] for r in ladder])
          for form, ladder in forms.items()],
-        xlabel="seconds of solution", xlog=True, ylog=True,
+        xlabel="processor seconds", xlog=True, ylog=True,
         ylabel="relative l2 error of the stress",
         title="Flexure of a beam, L/h 8: formulations")
 results.write()

@@ -166,26 +166,24 @@ void Foam::fsbi::elasticStencil::update()
         }
         compact_[i] = magSqr(area_[i])/(area_[i] & delta_[i]);
     }
+    setVolumes();
     setWeights();
 }
 
 
-void Foam::fsbi::elasticStencil::setWeights()
+Foam::scalarField Foam::fsbi::elasticStencil::moments
+(
+    const vectorField& C
+) const
 {
     const pointField& x = mesh_.points();
-    const vectorField C(centres());
-    const label nVertices = x.size();
-
-    scalarField moments(nMoments*nVertices, Zero);
-    vertexVolume_.setSize(nVertices);
-    vertexVolume_ = Zero;
-    for (label v = 0; v < nVertices; ++v)
+    scalarField result(nMoments*x.size(), Zero);
+    forAll(x, v)
     {
-        scalar* m = moments.begin() + nMoments*v;
+        scalar* m = result.begin() + nMoments*v;
         for (label j = vertexStart_[v]; j < vertexStart_[v + 1]; ++j)
         {
-            const label column = vertexColumn_[j];
-            const vector d(C[column] - x[v]);
+            const vector d(C[vertexColumn_[j]] - x[v]);
             const scalar w = 1/magSqr(d);
             const symmTensor second(w*sqr(d));
             m[0] += w;
@@ -197,29 +195,45 @@ void Foam::fsbi::elasticStencil::setWeights()
             {
                 m[4 + k] += second[k];
             }
-            if (column < mesh_.nCells())
-            {
-                vertexVolume_[v] +=
-                    mesh_.cellVolumes()[column]
-                   /mesh_.cellPoints()[column].size();
-            }
         }
     }
-    sharedVertices::sum<nMoments>(mesh_, moments.begin(), halo_.size());
-    sharedVertices::sum<1>(mesh_, vertexVolume_.begin(), halo_.size());
+    sharedVertices::sum<nMoments>(mesh_, result.begin(), halo_.size());
+    return result;
+}
 
+
+void Foam::fsbi::elasticStencil::setVolumes()
+{
+    vertexVolume_.setSize(mesh_.nPoints());
+    vertexVolume_ = Zero;
+    forAll(mesh_.cells(), celli)
+    {
+        const labelList& points = mesh_.cellPoints()[celli];
+        for (const label v : points)
+        {
+            vertexVolume_[v] += mesh_.cellVolumes()[celli]/points.size();
+        }
+    }
+    sharedVertices::sum<1>(mesh_, vertexVolume_.begin(), halo_.size());
+}
+
+
+void Foam::fsbi::elasticStencil::setWeights()
+{
+    const pointField& x = mesh_.points();
+    const vectorField C(centres());
+    const scalarField sums(moments(C));
     valueWeight_.setSize(vertexColumn_.size());
     gradientWeight_.setSize(vertexColumn_.size());
-    for (label v = 0; v < nVertices; ++v)
+    forAll(x, v)
     {
-        const scalar* m = moments.begin() + nMoments*v;
+        const scalar* m = sums.begin() + nMoments*v;
         const vector mean(vector(m[1], m[2], m[3])/m[0]);
         const symmTensor covariance
         (
             symmTensor(m[4], m[5], m[6], m[7], m[8], m[9])/m[0] - sqr(mean)
         );
-        const scalar size = tr(covariance);
-        if (det(covariance) < planeBelow*pow3(size))
+        if (det(covariance) < planeBelow*pow3(tr(covariance)))
         {
             FatalErrorInFunction
                 << "The cells around the point " << x[v] << " of region "
