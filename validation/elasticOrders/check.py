@@ -1,0 +1,76 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Orders of the last pair of meshes; write results.csv and draw."""
+
+import csv
+import os
+import sys
+
+from fsbi import plots
+from fsbi.results import Results
+
+KINDS = "hexahedra", "perturbed", "tetrahedra", "polyhedra"
+LAWS = "StVenantKirchhoff", "neoHookean", "nearlyIncompressible"
+ERRORS = "displacement", "cellStress", "vertexStress"
+LOWEST = {
+    ("hexahedra", "cellStress"): 1.9, ("hexahedra", "vertexStress"): 1.9,
+    ("tetrahedra", "vertexStress"): 1.5,
+}
+quick = sys.argv[1] == "true"
+results = Results("elasticOrders")
+
+
+def read(kind):
+    """Rows by law and boundary, coarse to fine."""
+    series = {}
+    with open(os.path.join("runs", kind + ".csv"), newline="") as file:
+        for row in csv.DictReader(file):
+            series.setdefault((row["law"], row["boundary"]), []).append(row)
+    return series
+
+
+def column(rows, name):
+    return [float(row[name]) for row in rows]
+
+
+def check(kind, law, boundary, rows):
+    label = f"{kind}_{law}_{boundary}"
+    failed = sum(row["converged"] != "1" for row in rows)
+    results.add(f"{label}_unconverged_abs", failed, 0, 0)
+    for error in ERRORS:
+        lowest = 1.9 if error == "displacement" else LOWEST.get((kind, error))
+        order = plots.observed_orders(column(rows, "h"), column(rows, error))[-1]
+        if lowest:
+            results.at_least(f"{label}_order_{error}", order, lowest,
+                             seconds=float(rows[-1]["seconds"]),
+                             cells=int(rows[-1]["cells"]))
+
+
+def draw(tables, law, boundary):
+    """Displacement, and stress at vertices, against size and seconds."""
+    chosen = {kind: tables[kind][law, boundary] for kind in KINDS}
+    errors = {}
+    for kind, rows in chosen.items():
+        errors[kind] = (column(rows, "h"), column(rows, "displacement"))
+    for kind in ("hexahedra", "tetrahedra"):
+        rows = chosen[kind]
+        errors[kind + ", stress"] = (column(rows, "h"), column(rows, "vertexStress"))
+    plots.convergence(
+        "order.png", None, errors, xlabel="cells$^{-1/3}$ / side",
+        title="Large strain of a cube, tractions on three sides")
+    plots.curves(
+        "seconds.png",
+        [(kind, column(rows, "seconds"), column(rows, "displacement"))
+         for kind, rows in chosen.items()],
+        xlabel="seconds", ylabel="relative error of the displacement",
+        title="Work and precision", xlog=True, ylog=True)
+
+
+tables = {kind: read(kind) for kind in KINDS}
+for kind, series in tables.items():
+    for law in LAWS[:2] if quick else LAWS:
+        for boundary in "displacements", "tractions":
+            check(kind, law, boundary, series[law, boundary])
+if not quick:
+    draw(tables, "neoHookean", "tractions")
+results.write()
