@@ -35,7 +35,7 @@ struct namedLaw
     const char* name;
     const char* entries;
 
-    //- Of the amplitude: volumes cannot change much where nu is nearly 0.5
+    //- Of the amplitude: where nu is nearly 0.5, 0.03 is not solved
     scalar part;
 };
 
@@ -47,7 +47,7 @@ static const namedLaw laws[] =
 };
 
 
-// Above 0.02 dead loads let the cube buckle: there is more than one solution
+// With tractions, 0.03 has more than one discrete solution
 static scalar amplitude(const namedLaw& law, const bool tractions)
 {
     return law.part*(tractions ? 0.01 : 0.03);

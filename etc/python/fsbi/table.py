@@ -30,8 +30,15 @@ def group(row):
     return name + " beside a wall" if wall else name
 
 
+def one_sided(row):
+    """Written by results.at_least?"""
+    return float(row["bound"]) == 0 and float(row["reference"]) not in (0, 1)
+
+
 def closeness(row):
     bound = float(row["bound"])
+    if one_sided(row):
+        return float(row["reference"]) / float(row["value"])
     error = float(row["error"])
     return error / bound if bound else (0 if error == 0 else math.inf)
 
@@ -43,7 +50,7 @@ def number(text):
 def line(folder, name, rows):
     worst = max(rows, key=closeness)
     cells = max(int(row["cells"]) for row in rows)
-    if float(worst["bound"]) == 0 and float(worst["reference"]) not in (0, 1):
+    if one_sided(worst):
         shown = f"{float(worst['value']):.3g}", f"≥ {float(worst['reference']):g}"
     else:
         shown = number(worst["error"]), number(worst["bound"])
