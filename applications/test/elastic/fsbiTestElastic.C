@@ -383,7 +383,6 @@ int main(int argc, char *argv[])
         formulation::totalLagrangian, true
     );
     checkRotationSteps(c, meshes, formulation::updatedLagrangian);
-    checkRotationSteps(c, meshes, formulation::slowProcess);
     checkBending(c);
     checkMethods(c);
     return c.finish();

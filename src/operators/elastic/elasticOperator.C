@@ -20,6 +20,10 @@ namespace Foam
 namespace fsbi
 {
 
+//- Growth of the stabilisation with the strain: compression of the order of
+//  mu would buckle what it holds. None at small strain
+static const scalar strainStabilisation = 4;
+
 //- Smoothing of the pressure: larger is smoother, and less local
 static const scalar smoothingScale = 1;
 
@@ -51,6 +55,8 @@ Foam::fsbi::elasticOperator::elasticOperator
     F_(mesh.nPoints(), tensor::I),
     pressure_(mixed ? mesh.nPoints() : 0, Zero),
     stress_(mesh.nPoints(), Zero),
+    stiffening_(mesh.nPoints(), Zero),
+    unexplained_(stencil_.nFaces(), Zero),
     boundaryForce_(nGhosts(), Zero),
     given_(nullptr),
     valid_(true),
@@ -58,6 +64,7 @@ Foam::fsbi::elasticOperator::elasticOperator
     dGradient_(mesh.nPoints(), Zero),
     dPressure_(pressure_.size(), Zero),
     dStress_(mesh.nPoints(), Zero),
+    dStiffening_(mesh.nPoints(), Zero),
     dBoundaryForce_(nGhosts(), Zero),
     vertexRow_(pressure_.size(), Zero)
 {
@@ -156,22 +163,6 @@ void Foam::fsbi::elasticOperator::setPressure
 }
 
 
-Foam::tensor Foam::fsbi::elasticOperator::faceMean
-(
-    const label i, const tensorField& vertices
-) const
-{
-    const label start = stencil_.faceStart()[i];
-    const label end = stencil_.faceStart()[i + 1];
-    tensor sum(Zero);
-    for (label j = start; j < end; ++j)
-    {
-        sum += vertices[stencil_.faceVertex()[j]];
-    }
-    return sum/(end - start);
-}
-
-
 Foam::tensor Foam::fsbi::elasticOperator::cellMean
 (
     const label celli, const tensorField& vertices
@@ -198,12 +189,38 @@ Foam::vector Foam::fsbi::elasticOperator::unexplained
 }
 
 
+void Foam::fsbi::elasticOperator::setStiffening()
+{
+    forAll(F_, v)
+    {
+        const scalar q = mag(symm(F_[v].T() & F_[v]) - symmTensor::I);
+        stiffening_[v] =
+            material_.linear() ? 0 : strainStabilisation*sqr(q)/(1 + q);
+    }
+}
+
+
+Foam::scalar Foam::fsbi::elasticOperator::stiffeningTangent
+(
+    const label v, const tensor& dF
+) const
+{
+    if (material_.linear())
+    {
+        return 0;
+    }
+    const symmTensor strain(symm(F_[v].T() & F_[v]) - symmTensor::I);
+    const scalar q = mag(strain);
+    return
+        strainStabilisation*(2 + q)/sqr(1 + q)
+       *2*(strain && symm(F_[v].T() & dF));
+}
+
+
 void Foam::fsbi::elasticOperator::addFaces
 (
-    const vectorField& values,
-    const tensorField& gradient,
     const tensorField& stress,
-    const bool homogeneous,
+    const vectorField& held,
     vectorField& force,
     scalar* r
 ) const
@@ -217,15 +234,10 @@ void Foam::fsbi::elasticOperator::addFaces
     {
         const label P = stencil_.owner()[i];
         const label N = stencil_.neighbour()[i];
-        vector rest(unexplained(i, values, gradient));
-        if (!homogeneous)
-        {
-            rest += carried_[i];
-        }
         const vector T
         (
             (faceMean(i, stress) & stencil_.area()[i])
-          + mu*stencil_.compact()[i]*rest
+          + mu*stencil_.compact()[i]*held[i]
         );
         if (i >= firstBoundary)
         {
@@ -288,7 +300,14 @@ void Foam::fsbi::elasticOperator::residual
     setGradient(values_, gradient_);
     setPressure(x, pressure_);
     setStress();
-    addFaces(values_, gradient_, stress_, false, boundaryForce_, r);
+    setStiffening();
+    vectorField held(stencil_.nFaces());
+    forAll(held, i)
+    {
+        unexplained_[i] = carried_[i] + unexplained(i, values_, gradient_);
+        held[i] = (1 + faceMean(i, stiffening_))*unexplained_[i];
+    }
+    addFaces(stress_, held, boundaryForce_, r);
 
     vectorField loads(nGhosts());
     forAll(loads, g)
@@ -330,12 +349,21 @@ void Foam::fsbi::elasticOperator::tangent(const scalar* dx, scalar* dr) const
         const tensor dF(dGradient_[v] & prior_[v]);
         const scalar dp = mixed_ ? dPressure_[v] : 0;
         dStress_[v] = pushedTangent(v, dF, lawTangent(v, dF, dp));
+        dStiffening_[v] = stiffeningTangent(v, dF);
         if (mixed_)
         {
             volume[v] = material_.thetaGradient(F_[v]) && dF;
         }
     }
-    addFaces(dValues_, dGradient_, dStress_, true, dBoundaryForce_, dr);
+    vectorField held(stencil_.nFaces());
+    forAll(held, i)
+    {
+        held[i] =
+            (1 + faceMean(i, stiffening_))
+           *unexplained(i, dValues_, dGradient_)
+          + faceMean(i, dStiffening_)*unexplained_[i];
+    }
+    addFaces(dStress_, held, dBoundaryForce_, dr);
 
     vectorField loads(nGhosts());
     forAll(loads, g)
@@ -386,9 +414,6 @@ void Foam::fsbi::elasticOperator::endStep()
     if (formulation_ != formulation::totalLagrangian)
     {
         prior_ = F_;
-        forAll(carried_, i)
-        {
-            carried_[i] += unexplained(i, values_, gradient_);
-        }
+        carried_ = unexplained_;
     }
 }
