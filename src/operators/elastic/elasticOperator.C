@@ -20,6 +20,10 @@ namespace Foam
 namespace fsbi
 {
 
+//- Of what vertices do not explain, over mu. 1 makes beams a little stiff and
+//  solves faster, 0.5 a little soft; little less is not stable
+static const scalar stabilisation = 0.7;
+
 //- Growth of the stabilisation with the strain: compression of the order of
 //  mu would buckle what it holds. None at small strain
 static const scalar strainStabilisation = 4;
@@ -305,7 +309,8 @@ void Foam::fsbi::elasticOperator::residual
     forAll(held, i)
     {
         unexplained_[i] = carried_[i] + unexplained(i, values_, gradient_);
-        held[i] = (1 + faceMean(i, stiffening_))*unexplained_[i];
+        held[i] =
+            (stabilisation + faceMean(i, stiffening_))*unexplained_[i];
     }
     addFaces(stress_, held, boundaryForce_, r);
 
@@ -359,7 +364,7 @@ void Foam::fsbi::elasticOperator::tangent(const scalar* dx, scalar* dr) const
     forAll(held, i)
     {
         held[i] =
-            (1 + faceMean(i, stiffening_))
+            (stabilisation + faceMean(i, stiffening_))
            *unexplained(i, dValues_, dGradient_)
           + faceMean(i, dStiffening_)*unexplained_[i];
     }
