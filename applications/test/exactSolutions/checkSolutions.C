@@ -56,7 +56,7 @@ static void checkEquations
     const std::function<vector(const point&)> u =
         [&](const point& X) { return s->displacement(X, 0); };
     Random random(1);
-    scalar balance = 0, forces = 0, stresses = 0, largest = 0;
+    scalar balance = 0, forces = VSMALL, stresses = 0, largest = 0;
     for (label i = 0; i < 50; ++i)
     {
         const point X
@@ -124,6 +124,13 @@ static void checkAllEquations(checks& c)
             "type manufactured; amplitude 0.1; length 2; origin (3 0 0);",
             "type " + law + "; E 3; nu 0.3;",
             boundBox(point(3, 0, 0), point(5, 2, 2)), 1e-7
+        );
+        checkEquations
+        (
+            c, "homogeneous " + law,
+            "type homogeneous; deformation (1.1 0.3 0  0.1 0.9 0  0 -0.2 1.2);"
+            "origin (3 0 0);", "type " + law + "; E 3; nu 0.3;",
+            boundBox(point(3, 0, 0), point(5, 2, 2)), 1e-8
         );
     }
 }
