@@ -1,0 +1,152 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Compare bent cantilevers with the elastica; write results.csv and draw."""
+
+import glob
+import os
+import sys
+
+import numpy as np
+from scipy.integrate import solve_bvp
+
+from fsbi import fields, plots
+from fsbi.case import Case
+from fsbi.results import Results
+
+quick = sys.argv[1] == "true"
+results = Results("largeBending")
+
+
+def elastica(load, kind, thickness=0):
+    """x, y over the length of an inextensible line without shear.
+
+    Its state is theta, moment, internal force, place. The pressure acts on a
+    side at half the thickness from the line, which is longer by the curvature.
+    """
+    q = load if kind == "pressure" else 0
+    end = load if kind == "force" else 0
+
+    def slope(s, z):
+        theta, moment, nx, ny = z[:4]
+        side = q * (1 + moment * thickness / 2)
+        return np.array([
+            moment, nx * np.sin(theta) - ny * np.cos(theta),
+            side * np.sin(theta), -side * np.cos(theta),
+            np.cos(theta), np.sin(theta)])
+
+    def ends(a, b):
+        return np.array([a[0], a[4], a[5], b[1], b[2], b[3] - end])
+
+    s = np.linspace(0, 1, 101)
+    guess = np.zeros((6, s.size))
+    guess[4] = s
+    full = q, end
+    for part in (0.25, 0.5, 0.75, 1):
+        q, end = part * full[0], part * full[1]
+        found = solve_bvp(slope, ends, s, guess, tol=1e-9, max_nodes=100000)
+        assert found.success, found.message
+        s, guess = found.x, found.y
+    return found.sol(np.linspace(0, 1, 201))[4:]
+
+
+class Bent(Case):
+    def __init__(self, folder):
+        super().__init__(folder)
+        self.name = os.path.basename(folder)
+        self.kind, self.law, *numbers = self.name.split(".")
+        self.length, self.across, self.load, self.steps = map(int, numbers)
+        self.points = fields.points(folder + "/constant/polyMesh/points")
+        self.D = fields.internal(folder + "/1/beam/pointD")
+        self.corrections = self.history["cost"]["corrections"]
+        with open(folder + "/log.fsbiFoam") as log:
+            self.rejected = log.read().count("rejected:")
+
+    def place(self, s):
+        """Where the point of the axis at s L is, over L."""
+        i = fields.nearest(self.points, (s * self.length, 0.5, 0.5))
+        return (self.points[i] + self.D[i])[:2] / self.length - (0, 0.5 / self.length)
+
+    def exact(self):
+        return elastica(self.load, self.kind, 1 / self.length)
+
+    def error(self):
+        """Of the end, over its displacement."""
+        end = self.exact()[:, -1]
+        return np.linalg.norm(self.place(1) - end) / np.linalg.norm(end - (1, 0))
+
+
+def report(runs):
+    """The worst of a load and law; all of them are printed."""
+    for run in runs:
+        print(f"    {run.kind} {run.load}, {run.law}, L/h {run.length},"
+              f" {run.across} across, {run.steps} load steps:"
+              f" Newton {int(run.corrections.sum())},"
+              f" Krylov {int(run.iterations.sum())}, {run.seconds:.0f} s,"
+              f" end {100 * run.error():.2f} % off")
+    for kind, law in sorted({(r.kind, r.law) for r in runs}):
+        these = [r for r in runs if (r.kind, r.law) == (kind, law)]
+        these = [r for r in these if r.across >= 8] or these
+        worst = max(these, key=Bent.error)
+        results.add(f"end_{kind}_{law}_abs", worst.error(), 0,
+                    0.02 if worst.across >= 8 else 0.06,
+                    seconds=worst.seconds, cells=worst.cells)
+    for steps in sorted({r.steps for r in runs}):
+        results.add(f"Newton_per_step_of_{steps}_abs",
+                    max(r.corrections.max() for r in runs if r.steps == steps),
+                    0, 20)
+    results.add("rejected_steps_abs", sum(r.rejected for r in runs), 0, 0)
+
+
+def same_in_ten_steps(runs):
+    worst = 0
+    for run in runs:
+        other = runs_by_name.get(run.name.rsplit(".", 1)[0] + ".1")
+        if run.steps == 10 and other:
+            worst = max(worst, np.linalg.norm(run.place(1) - other.place(1)))
+    results.add("one_step_against_ten_abs", worst, 0, 1e-4)
+
+
+def draw(runs, length):
+    figure, axes = plots.plt.subplots()
+    shown = [r for r in runs if r.length == length and r.steps == 1
+             and r.law in ("SVK", "neoHookean49")
+             and r.across == (4 if quick else 8)]
+    for i, run in enumerate(shown):
+        x, y = run.exact()
+        axes.plot(x, y, color="black", lw=1.2, label=None if i else "elastica")
+        places = np.array([run.place(s) for s in np.linspace(0, 1, 11)])
+        load = {"force": "force {} EI/L²", "pressure": "pressure {} EI/L³"}
+        law = {"neoHookean49": "neo-Hookean, ν 0.49"}.get(run.law, "SVK, ν 0")
+        axes.plot(*places.T, ls="none", marker=plots.MARKERS[i], mfc="white",
+                  color=plots.COLOURS[i],
+                  label=f"{load[run.kind].format(run.load)}; {law}")
+    axes.set(xlabel="x / L", ylabel="y / L", aspect="equal", xlim=(-0.02, 1.05))
+    axes.set_title(f"Cantilever, L/h = {length}, one load step", loc="left")
+    axes.legend(loc="upper left", fontsize=9)
+    plots.save(figure, "shapes.png")
+
+
+def refine(runs):
+    """On finer meshes: the end's distance to the finest one's extrapolation."""
+    three = sorted((r for r in runs if r.law == "SVK" and r.kind == "force"
+                    and r.length == 10 and r.load == 3 and r.steps == 1),
+                   key=lambda r: r.across)
+    ends = [r.place(1) for r in three]
+    limit = ends[2] + (ends[2] - ends[1]) / 3
+    errors = np.array([np.linalg.norm(e - limit) for e in ends])
+    errors /= np.linalg.norm(limit - (1, 0))
+    elastica_end = three[0].exact()[:, -1]
+    results.add("elastica_against_fine_solid_L10_abs",
+                np.linalg.norm(limit - elastica_end)
+                / np.linalg.norm(elastica_end - (1, 0)), 0, 0.02)
+    results.add("discretisation_8_across_L10_abs", errors[1], 0, 0.01)
+
+
+runs = [Bent(folder) for folder in sorted(glob.glob("runs/*"))]
+runs_by_name = {run.name: run for run in runs}
+report(runs)
+if not quick:
+    same_in_ten_steps(runs)
+    refine(runs)
+draw(runs, 10 if quick else 20)
+results.write()
