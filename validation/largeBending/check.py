@@ -122,7 +122,8 @@ def draw(runs, length):
                   label=f"{load[run.kind].format(run.load)}; {law}")
     axes.set(xlabel="x / L", ylabel="y / L", aspect="equal", xlim=(-0.02, 1.05))
     axes.set_title(f"Cantilever, L/h = {length}, one load step", loc="left")
-    axes.legend(fontsize=9)
+    axes.legend(fontsize=9, loc="upper center", ncol=2,
+                bbox_to_anchor=(0.5, -0.15))
     plots.save(figure, "shapes.png")
 
 

@@ -1,0 +1,303 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Energies, momenta, frequencies and decay against theory; results.csv."""
+
+import glob
+import os
+import sys
+
+import numpy as np
+from scipy.linalg import expm
+from scipy.optimize import brentq, curve_fit
+
+from fsbi import plots
+from fsbi.case import Case
+from fsbi.results import Results
+
+quick = sys.argv[1] == "true"
+results = Results("elasticDynamics")
+PERIOD = 619.0478
+BODY = "elasticBodies/beam/"
+NAMES = {"Newmark": "Newmark", "generalisedAlpha0.8": "generalised α 0.8",
+         "Fornberg2": "Fornberg 2"}
+
+
+def found(pattern):
+    return [Case(folder) for folder in sorted(
+        glob.glob(f"runs/{pattern}"), key=lambda f: (len(f), f))]
+
+
+# A free spinning brick
+
+SPIN = np.array([0.02, 0.096, 0.02])
+SIDES, CELLS = np.array([2, 1, 0.5]), np.array([8, 4, 2])
+
+
+def initial(cells):
+    """Angular momentum and energy of masses at the centres of hexahedra."""
+    square = SIDES**2 / 12 * (1 - 1 / cells**2)
+    momentum = np.prod(SIDES) * (square.sum() - square) * SPIN
+    return momentum, momentum @ SPIN / 2
+
+
+class Spinning:
+    def __init__(self, folder):
+        self.run = Case(folder)
+        self.name = os.path.basename(folder)
+        self.variant = self.name.split(".")[-1]
+        table = self.run.history[BODY + "angularMomentum"]
+        self.turns = table["time"] * 0.1 / (2 * np.pi)
+        self.steps = int(round(1 / self.turns[0]))
+        energy = self.run.history[BODY + "energy"]
+        self.energy = energy["elastic"] + energy["kinetic"]
+        momentum, start = initial(CELLS * (2 if "hexahedra2" in folder else 1))
+        if "tetrahedra" in folder:
+            momentum, start = table.array[0, 1:], self.energy[0]
+        self.momentum = table.array[:, 1:] / np.linalg.norm(momentum)
+        self.start = momentum / np.linalg.norm(momentum)
+        self.change = np.linalg.norm(self.momentum - self.start, axis=1)
+        self.energy = self.energy / start
+
+    def over(self, turns, values):
+        """Largest in the first turns."""
+        return np.abs(values[self.turns < turns + 1e-6]).max()
+
+    def difference(self, other):
+        """Of the angular momenta in the first turn, at common times."""
+        every = other.steps // self.steps
+        mine = self.momentum[:self.steps]
+        return np.linalg.norm(mine - other.momentum[every - 1::every][:len(mine)],
+                              axis=1).max()
+
+
+def scheme_of(spin):
+    return spin.name.split(".", 1)[1].rsplit(f".{spin.steps}", 1)[0]
+
+
+def spinning():
+    runs = [Spinning(f) for f in sorted(glob.glob("runs/spin.*"),
+                                        key=lambda f: (len(f), f))]
+    plain = [r for r in runs if r.variant.isdigit()]
+    finest = max(plain, key=lambda r: r.steps)
+    for r in runs:
+        last = r.turns > r.turns[-1] - 1
+        drift = np.polyfit(r.turns[last], r.energy[last], 1)[0]
+        print(f"    {r.name}: angular momentum changes by {r.over(1, r.change):.1e}"
+              f" in the first turn, {r.change.max():.1e} in {r.turns[-1]:.0f};"
+              f" energy {r.energy.min():.5f} to {r.energy.max():.5f}, in the last"
+              f" turn by {drift:.1e}")
+    steps, errors = [], {}
+    for scheme, name in NAMES.items():
+        these = [r for r in plain if scheme_of(r) == scheme and r is not finest]
+        steps = np.array([1 / r.steps for r in these])
+        errors[name] = np.array([r.difference(finest) for r in these])
+        for r, step, error in zip(these, steps, errors[name]):
+            results.add(f"spin_{scheme}_angular_momentum_step_{step:g}tau_abs",
+                        error, 0, (200 if scheme == "Fornberg2" else 40) * step**2,
+                        seconds=r.run.seconds, cells=r.run.cells)
+            # what is damped may not come back
+            results.add(f"spin_{scheme}_energy_gain_step_{step:g}tau_abs",
+                        max(0, r.energy.max() - 1), 0, 1e-3)
+    orders = plots.convergence(
+        "angularMomentum.png", steps, errors, xlabel="step / turn",
+        ylabel="error in time of the angular momentum",
+        title="A tumbling elastic brick")
+    for scheme, name in NAMES.items():
+        results.at_least(f"spin_{scheme}_angular_momentum_order",
+                         orders[name][-1], 1.5 if quick else 1.8)
+    kept(runs, finest)
+
+
+def without_time_error(coarse, fine):
+    """Largest change in the first turn, extrapolated from two step lengths."""
+    a, b = coarse.momentum[:coarse.steps], fine.momentum[1:2 * coarse.steps:2]
+    limit = (4 * b - a[:len(b)]) / 3
+    return np.linalg.norm(limit - fine.start, axis=1).max()
+
+
+def kept(runs, finest):
+    """What the mesh does to the angular momentum in a turn."""
+    results.add("spin_angular_momentum_kept_hexahedra_abs",
+                finest.over(1, finest.change), 0, 1e-3)
+    if quick:
+        return
+    by_name = {r.name.removeprefix("spin.Newmark."): r for r in runs}
+    size = {"hexahedra": ("200", "400"),
+            "hexahedra of half the size": ("200.hexahedra2", "400.hexahedra2")}
+    for kind, (coarse, fine) in size.items():
+        change = without_time_error(by_name[coarse], by_name[fine])
+        print(f"    {kind}: angular momentum changes in a turn by {change:.1e}")
+    for kind in ("200.tetrahedra1", "200.tetrahedra2"):
+        print(f"    {kind}: {by_name[kind].over(1, by_name[kind].change):.1e}")
+    coarse = by_name["200.tetrahedra1"]
+    results.add("spin_angular_momentum_kept_tetrahedra_abs",
+                coarse.over(1, coarse.change), 0, 1e-2)
+
+
+def draw_energy():
+    figure, axes = plots.plt.subplots()
+    shown = (50, 100) if quick else (100, 400)
+    for i, (scheme, name) in enumerate(NAMES.items()):
+        for n, style in zip(shown, ("-", "--")):
+            spin = Spinning(f"runs/spin.{scheme}.{n}")
+            axes.plot(spin.turns, spin.energy, style, color=plots.COLOURS[i],
+                      lw=1.2, label=f"{name}, {n}")
+    axes.set(xlabel="turns", ylabel="energy / energy at the start")
+    axes.set_title("A tumbling elastic brick; scheme, steps per turn", loc="left")
+    axes.legend(fontsize=9, ncol=3, loc="upper center",
+                bbox_to_anchor=(0.45, -0.17))
+    plots.save(figure, "energy.png")
+
+
+# A cantilever
+
+def Timoshenko(length=10, thickness=1, share=5 / 6):
+    """First angular frequency; E = rho = 1, nu = 0, width 1."""
+    area, inertia = thickness, thickness**3 / 12
+    shear = share * area / 2
+
+    def ends(w):
+        # deflection, rotation, moment, shear force along the beam
+        slope = np.zeros((4, 4))
+        slope[0, 1], slope[0, 3] = 1, 1 / shear
+        slope[1, 2] = 1 / inertia
+        slope[2, 1], slope[2, 3] = -inertia * w**2, -1
+        slope[3, 0] = -area * w**2
+        return np.linalg.det(expm(slope * length)[2:, 2:])
+
+    bending = 1.8751040687**2 * np.sqrt(inertia / area) / length**2
+    return brentq(ends, 0.8 * bending, 1.05 * bending), bending
+
+
+def deflection(run):
+    table = run.history[BODY + "centre"]
+    return table["time"], table["y"] - 0.5
+
+
+def wave(t, c, s, w, d):
+    return np.exp(-d * t) * (c * np.cos(w * t) + s * np.sin(w * t))
+
+
+def fit(run):
+    """Frequency and rate of decay of the free vibration."""
+    t, y = deflection(run)
+    free = t > 1.02 * PERIOD
+    t, y = t[free] - t[free][0], y[free] / np.abs(y).max()
+    return curve_fit(wave, t, y, p0=(1, 0, 2 * np.pi / PERIOD, 0))[0][2:]
+
+
+def steps_per_period(run):
+    return int(run.folder.split(".")[-1])
+
+
+def true_frequency(run):
+    """Without Newmark's own error, (w dt)^2/12; and the rate of decay."""
+    dt = PERIOD / steps_per_period(run)
+    w, decay = fit(run)
+    return 2 / dt * np.tan(w * dt / 2), decay
+
+
+def frequency():
+    theory, bending = Timoshenko()
+    print(f"    Timoshenko {theory:.7f}, Euler and Bernoulli {bending:.7f}"
+          f" ({100 * (bending / theory - 1):.2f} %)")
+    across, errors, values = [], [], []
+    for run in found("frequency.*"):
+        n = int(run.folder.split(".")[-2])
+        w = true_frequency(run)[0]
+        results.add(f"frequency_mesh{n}", w, theory, 0.02 if n >= 8 else 0.04,
+                    seconds=run.seconds, cells=run.cells)
+        across.append(n)
+        values.append(w)
+    if not quick:
+        limit = values[-1] + (values[-1] - values[-2]) / 3
+        results.add("frequency_limit_against_Timoshenko", limit, theory, 0.003)
+        errors = np.abs(np.array(values) / limit - 1)
+        print(f"    limit {limit:.7f}, errors {errors}")
+
+
+def order_in_time():
+    reference = found("order.Newmark.*")[-1]
+    exact = deflection(reference)[1]
+    scale = np.abs(exact).max()
+    steps, errors = [], {}
+    for scheme in NAMES:
+        runs = [r for r in found(f"order.{scheme}.*")
+                if r.folder != reference.folder]
+        steps = np.array([1 / steps_per_period(r) for r in runs])
+        errors[NAMES[scheme]] = np.array([
+            np.abs(y - exact[steps_per_period(reference) // steps_per_period(r) - 1
+                             ::steps_per_period(reference) // steps_per_period(r)]
+                   ).max() / scale
+            for r, y in ((r, deflection(r)[1]) for r in runs)])
+    orders = plots.convergence(
+        "order.png", steps, errors, xlabel="step / period",
+        ylabel="largest error / largest deflection", title="A vibrating cantilever")
+    for scheme, name in NAMES.items():
+        results.at_least(f"vibration_{scheme}_order_in_time", orders[name][-1],
+                         1.7 if quick else 1.8)
+
+
+# Kelvin and Voigt
+
+def damping():
+    """eta = 4.926, mu = 1/2: elastic and viscous forces are proportional, so
+    that the decay is w^2 tau/2 with w the frequency without damping."""
+    tau = 2 * 4.926
+    runs = found("damped.*")
+    for run in runs:
+        n = int(run.folder.split(".")[-2])
+        if steps_per_period(run) == 100:
+            w = true_frequency(found(f"frequency.Newmark.{n}.*")[0])[0]
+            results.add(f"damped_decay_mesh{n}", true_frequency(run)[1],
+                        w**2 * tau / 2, 2.5 / n**2, seconds=run.seconds,
+                        cells=run.cells)
+    coarse = [r for r in runs if r.folder.split(".")[-2] == "4"]
+    coarse.sort(key=steps_per_period)
+    w = true_frequency(found("frequency.Newmark.4.*")[0])[0]
+    steps = np.array([1 / steps_per_period(r) for r in coarse])
+    shifts = [abs(seen / np.sqrt(w**2 - decay**2) - 1)
+              for seen, decay in map(true_frequency, coarse)]
+    orders = plots.convergence(
+        "damping.png", steps, {"frequency": np.array(shifts)}, order=1,
+        xlabel="step / period", title="A damped cantilever, 5 % of critical")
+    results.add("damped_frequency_order_in_time", orders["frequency"][-1], 1, 0.1)
+
+
+def creeping():
+    figure, axes = plots.plt.subplots()
+    t = np.linspace(0, 3, 200)
+    axes.plot(t, 1 - np.exp(-t), color="black", lw=1.2, label="1 − exp(−t/τ)")
+    steps, errors = [], []
+    for i, run in enumerate(found("creep.*")):
+        table = run.history[BODY + "centre"]
+        # the end moves twice as far as the centre, 0.04 at last
+        u = (table["x"] - 2) / 0.02
+        n = steps_per_period(run)
+        exact = 1 - np.exp(-table["time"])
+        discrete = 1 - (1 + 1 / n) ** -np.arange(1.0, len(u) + 1)
+        steps.append(1 / n)
+        errors.append(np.abs(u - exact).max())
+        results.add(f"creep_recurrence_step_{1 / n:g}tau_abs",
+                    np.abs(u - discrete).max(), 0, 1e-8, seconds=run.seconds,
+                    cells=run.cells)
+        if i < 3:
+            axes.plot(table["time"], u, ls="none", marker=plots.MARKERS[i],
+                      mfc="white", color=plots.COLOURS[i],
+                      markevery=max(1, n // 10), label=f"steps of τ/{n}")
+    order = plots.observed_orders(steps, errors)[-1]
+    results.add("creep_order", order, 1, 0.1)
+    axes.set(xlabel="time / τ", ylabel="length gained / final")
+    axes.set_title("A Kelvin-Voigt bar under a constant force", loc="left")
+    axes.legend(loc="lower right")
+    plots.save(figure, "creep.png")
+
+
+spinning()
+draw_energy()
+frequency()
+order_in_time()
+creeping()
+if not quick:
+    damping()
+results.write()
