@@ -235,7 +235,7 @@ def order_in_time():
         ylabel="largest error / largest deflection", title="A vibrating cantilever")
     for scheme, name in NAMES.items():
         results.at_least(f"vibration_{scheme}_order_in_time", orders[name][-1],
-                         1.7 if quick else 1.8)
+                         1.5 if quick else 1.8)
 
 
 # Kelvin and Voigt
