@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "solidFields.H"
 #include "solidConditions.H"
+#include "sharedVertices.H"
 
 namespace Foam
 {
@@ -37,6 +38,7 @@ static FieldType zero
 Foam::fsbi::solidFields::solidFields(const fvMesh& mesh, const bool saved)
 :
     mesh_(mesh),
+    stencil_(mesh),
     sigma_(zero<volSymmTensorField>("sigma", mesh, dimPressure)),
     sigmaEq_(zero<volScalarField>("sigmaEq", mesh, dimPressure)),
     epsilon_(zero<volSymmTensorField>("epsilon", mesh, dimless)),
@@ -138,6 +140,30 @@ void Foam::fsbi::solidFields::setDisplacement
 }
 
 
+void Foam::fsbi::solidFields::recoverStress()
+{
+    const haloExchange& halo = stencil_.halo();
+    List<symmTensor> cells(mesh_.nCells() + halo.size(), Zero);
+    std::copy(sigma_.begin(), sigma_.end(), cells.begin());
+    halo.fill(cells.begin()->v_, symmTensor::nComponents);
+    const labelList& start = stencil_.vertexStart();
+    symmTensorField& recovered = pointSigma_.primitiveFieldRef();
+    forAll(recovered, v)
+    {
+        symmTensor sum(Zero);
+        for (label i = start[v]; i < start[v + 1]; ++i)
+        {
+            sum += stencil_.vertexWeight()[i]*cells[stencil_.vertexCell()[i]];
+        }
+        recovered[v] = sum;
+    }
+    sharedVertices::sum<symmTensor::nComponents>
+    (
+        mesh_, recovered.begin()->v_, halo.size()
+    );
+}
+
+
 void Foam::fsbi::solidFields::setStress
 (
     const elasticOperator& elastic,
@@ -160,7 +186,7 @@ void Foam::fsbi::solidFields::setStress
     average(strain, epsilon_);
     average(J, J_);
     sigmaEq_ = sqrt(1.5*magSqr(dev(sigma_)));
-    pointSigma_.primitiveFieldRef() = sigma;
+    recoverStress();
 }
 
 

@@ -8,8 +8,11 @@
 """
 
 import csv
+import glob
 import os
 import re
+
+import numpy as np
 
 from .history import History
 
@@ -48,6 +51,19 @@ class Case:
     def force(self, body, source="fluid"):
         return self._vectors(body, f"force/{source}")
 
+    def largest(self, name, region):
+        """Times and largest values of the function object fieldMinMax `name`
+        of one field."""
+        parts = os.path.join(self.folder, "postProcessing", region, name, "*", "*.dat")
+        rows = []
+        for path in sorted(glob.glob(parts), key=lambda p: float(p.split(os.sep)[-2])):
+            with open(path) as file:
+                rows += [line.split("\t") for line in file if line[0] != "#"]
+        # time, field, smallest, where (and processor), largest, ...
+        values = [[float(c) for c in row[2:] if "(" not in c] for row in rows]
+        largest = [v[1] if len(v) == 2 else v[2] for v in values]
+        return np.array([float(row[0]) for row in rows]), np.array(largest)
+
     def torque(self, body, source="fluid"):
         return self._vectors(body, f"torque/{source}")
 
@@ -61,6 +77,5 @@ def reference(path):
 
 def cases(pattern):
     """Finished runs among folders that match, in the order of their names."""
-    import glob
     return [Case(folder) for folder in sorted(glob.glob(pattern))
             if os.path.isfile(os.path.join(folder, "log.fsbiFoam"))]

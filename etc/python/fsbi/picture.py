@@ -4,8 +4,9 @@
 """A picture of a case: the mesh cut open, coloured by a field, and the bodies.
 
 The cut is crinkled: whole cells, so that the tetrahedra show. What lies
-behind the plane stays, the bodies stay whole with their triangles. Writes the
-VTK files it needs with foamToVTK and removes them.
+behind the plane stays, the bodies stay whole with their triangles. An elastic
+body (--region) may be shown deformed (--warp), inside the outline it had before.
+Writes the VTK files it needs with foamToVTK and removes them.
 
 Without a display run it as
     xvfb-run -a /usr/bin/python3 picture.py CASE --bodies tumourCell \\
@@ -36,6 +37,9 @@ def arguments(argv):
     p.add_argument("--region", default="fluid", help="region; '' for a case without")
     p.add_argument("--time", default="latest", help="a time, or latest")
     p.add_argument("--field", default="U", help="field of the colours")
+    p.add_argument("--component", help="of the field, as zz; default: magnitude")
+    p.add_argument("--warp", type=float, metavar="FACTOR",
+                   help="move the points by this times D")
     p.add_argument("--bodies", nargs="*", default=[], help="patches drawn whole")
     p.add_argument("--normal", nargs=3, type=float, default=[0, 0, 1],
                    help="of the cut, towards the viewer")
@@ -52,7 +56,7 @@ def arguments(argv):
     p.add_argument("--scale", type=float, default=1, help="factor on the field")
     p.add_argument("--unit", default="µm/µs", help="unit of the scaled field")
     p.add_argument("--label", help="of the colour bar; default: by the field")
-    p.add_argument("--time-unit", default="µs")
+    p.add_argument("--time-unit", default="µs", help="'' hides the time")
     p.add_argument("--title", default="", help="in front of the time")
     p.add_argument("--streamlines", type=int, default=0, help="how many")
     p.add_argument("--no-edges", action="store_true", help="hide the mesh")
@@ -67,8 +71,9 @@ def convert(options):
     """Run foamToVTK; returns the folder of the VTK files and the time."""
     scratch = os.path.join(options.case, SCRATCH)
     shutil.rmtree(scratch, ignore_errors=True)
+    fields = options.field if options.warp is None else f"{options.field} D"
     command = ["foamToVTK", "-case", options.case, "-name", SCRATCH,
-               "-fields", f"({options.field})"]
+               "-fields", f"({fields})"]
     if options.region:
         command += ["-region", options.region]
     if options.time == "latest":
@@ -121,8 +126,11 @@ def read(reader, path):
     return reader.GetOutput()
 
 
-def colour_by(data, field, scale):
-    """Add the scaled magnitude of the field at the points as 'shown'."""
+COMPONENTS = {3: ["x", "y", "z"], 6: ["xx", "yy", "zz", "xy", "yz", "xz"]}
+
+
+def at_points(data, field):
+    """The values of a field at the points."""
     array = data.GetPointData().GetArray(field)
     if array is None:
         smooth = vtk.vtkCellDataToPointData()
@@ -131,8 +139,20 @@ def colour_by(data, field, scale):
         array = smooth.GetOutput().GetPointData().GetArray(field)
     if array is None:
         sys.exit(f"picture: there is no field '{field}'")
-    values = vtk_to_numpy(array)
-    if values.ndim > 1:
+    return vtk_to_numpy(array)
+
+
+def colour_by(data, field, component, scale):
+    """Add the scaled component or magnitude of the field at the points as
+    'shown'."""
+    values = at_points(data, field)
+    if component:
+        names = COMPONENTS.get(values.shape[-1] if values.ndim > 1 else 1, [])
+        if component not in names:
+            sys.exit(f"picture: '{field}' has no component '{component}'; "
+                     f"there are {', '.join(names) or 'none'}")
+        values = values[:, names.index(component)]
+    elif values.ndim > 1:
         values = np.linalg.norm(values, axis=1)
     shown = numpy_to_vtk(scale * values, deep=True)
     shown.SetName("shown")
@@ -144,6 +164,27 @@ def colour_by(data, field, scale):
 def middle(data):
     b = data.GetBounds()
     return np.array([(b[0] + b[1]) / 2, (b[2] + b[3]) / 2, (b[4] + b[5]) / 2])
+
+
+def warp(data, factor):
+    """Move the points by the displacement times a factor."""
+    points = vtk.vtkPoints()
+    points.SetData(numpy_to_vtk(
+        vtk_to_numpy(data.GetPoints().GetData()) + factor * at_points(data, "D"),
+        deep=True))
+    data.SetPoints(points)
+
+
+def outline(mesh):
+    """The sharp edges of a mesh."""
+    surface = vtk.vtkDataSetSurfaceFilter()
+    surface.SetInputData(mesh)
+    edges = vtk.vtkFeatureEdges()
+    edges.SetInputConnection(surface.GetOutputPort())
+    edges.SetFeatureAngle(60)
+    edges.ColoringOff()
+    edges.Update()
+    return edges.GetOutput()
 
 
 def near(mesh, origin, distance):
@@ -220,6 +261,7 @@ def actor(data, colour=None, edges=None, width=1.0, table=None):
     look = a.GetProperty()
     look.SetAmbient(0.5)
     look.SetDiffuse(0.55)
+    look.SetLineWidth(width)
     if colour:
         look.SetColor(rgb(colour))
         look.SetSpecular(0.12)
@@ -227,7 +269,6 @@ def actor(data, colour=None, edges=None, width=1.0, table=None):
     if edges:
         look.EdgeVisibilityOn()
         look.SetEdgeColor(rgb(edges))
-        look.SetLineWidth(width)
     return a
 
 
@@ -307,9 +348,10 @@ def page(pixels, bounds, colours, options, time):
     scene = figure.add_axes([0, 0.7 / total[1], 1, height / dpi / total[1]])
     scene.imshow(pixels, interpolation="none", aspect="auto")
     scene.axis("off")
-    title = f"{options.title}, " if options.title else ""
-    figure.text(0.02, 1 - 0.14 / total[1], f"{title}t = {time:g} {options.time_unit}",
-                va="top", fontsize=13)
+    title = options.title
+    if options.time_unit:
+        title = ", ".join(filter(None, [title, f"t = {time:g} {options.time_unit}"]))
+    figure.text(0.02, 1 - 0.14 / total[1], title, va="top", fontsize=13)
     bar = figure.add_axes([0.4, 0.5 / total[1], 0.52, 0.13 / total[1]])
     norm = plots.matplotlib.colors.Normalize(*bounds)
     scale = figure.colorbar(
@@ -340,7 +382,10 @@ def draw(options):
               for b in options.bodies]
     shutil.rmtree(os.path.join(options.case, SCRATCH), ignore_errors=True)
 
-    colour_by(mesh, options.field, options.scale)
+    colour_by(mesh, options.field, options.component, options.scale)
+    before = outline(mesh)
+    if options.warp is not None:
+        warp(mesh, options.warp)
     normal, up = directions(options)
     origin = options.origin or (
         np.mean([middle(b) for b in bodies], axis=0) if bodies else middle(mesh))
@@ -353,6 +398,8 @@ def draw(options):
     renderer.SetBackground(1, 1, 1)
     renderer.AddActor(actor(cut, edges=None if options.no_edges else "#2b2b3a",
                             width=0.8, table=lookup_table(colours, bounds)))
+    if options.warp is not None:
+        renderer.AddActor(actor(before, "#777777", width=1.5))
     for i, body in enumerate(bodies):
         renderer.AddActor(actor(body, BODY_COLOURS[i % 5],
                                 None if options.no_edges else "#5a3a10"))
