@@ -1,0 +1,34 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The clamped beam's end against Timoshenko's beam theory.
+
+    w = P l^3/(3 E I) + P l/(k G A),   k = 10 (1 + nu)/(12 + 11 nu)  (Cowper)
+"""
+
+import glob
+
+from fsbi.case import Case
+from fsbi.results import Results
+
+P, L, SIDE, E, NU = 90, 2.4, 0.3, 200e9, 0.3
+SHEAR = 10 * (1 + NU) / (12 + 11 * NU)
+I, A, G = SIDE**4 / 12, SIDE**2, E / 2 / (1 + NU)
+DEFLECTION = P * L**3 / (3 * E * I) + P * L / (SHEAR * G * A)
+
+
+def end(folder):
+    """Mean displacement of the patch."""
+    path = glob.glob(f"{folder}/postProcessing/beam/end/*/surfaceFieldValue.dat")[0]
+    with open(path) as file:
+        last = file.read().splitlines()[-1]
+    return float(last.split()[2])
+
+
+results = Results("S3")
+for folder in sorted(glob.glob("runs/clamped*"), key=lambda f: int(f[12:])):
+    run = Case(folder)
+    across = int(folder[12:])
+    bound = 0.1 if across < 8 else 0.02
+    results.add(f"clamped_deflection_{across}across", end(folder), DEFLECTION, bound,
+                seconds=run.seconds, cells=run.cells)
+results.write(append=True)
