@@ -69,19 +69,20 @@ Foam::autoPtr<Foam::fvMesh> Foam::fsbi::elasticBody::makeMesh
     {
         return readRegionMesh(time, name_, time.constant());
     }
+    // by all: the master sends it to the others
+    const IOdictionary controls
+    (
+        IOobject
+        (
+            "remeshDict", time.caseSystem(), name_, time,
+            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
+        )
+    );
     meshLists whole;
     if (Pstream::master())
     {
         if (shape_)
         {
-            const IOdictionary controls
-            (
-                IOobject
-                (
-                    "remeshDict", time.caseSystem(), name_, time,
-                    IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
-                )
-            );
             whole = bodyMesher(controls).fill
             (
                 name_, shape_->triangulate().transformed(turned_, position_)
