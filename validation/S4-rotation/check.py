@@ -44,7 +44,7 @@ for colour, formulation in zip(plots.COLOURS, FORMULATIONS):
     for run in at_once:
         axes.semilogy(*stress(run), color=colour, ls="none", mfc="white",
                       marker="s" if "hexahedra" in run.folder else "o")
-axes.set(xlabel="angle (degrees)", ylabel="largest stress / E", ylim=(1e-14, 1e-9))
+axes.set(xlabel="angle (degrees)", ylabel="largest stress / E", ylim=(1e-15, 1e-7))
 axes.set_title("Rigid rotation: in steps of 10° (lines), at once (markers)",
                loc="left")
 axes.legend(fontsize=8, ncols=2, loc="upper left")
