@@ -35,7 +35,7 @@ axes.axhline(BOUND, color="black", lw=1.2, label="bound")
 for colour, formulation in zip(plots.COLOURS, FORMULATIONS):
     at_once = cases(f"runs/*-{formulation}-[0-9]*")
     in_steps = cases(f"runs/*-{formulation}-steps")
-    row(f"{formulation}_at_once", at_once)
+    row(f"{formulation}_in_one_step", at_once)
     row(f"{formulation}_in_steps", in_steps)
     for run in in_steps:
         hexahedra = "hexahedra" in run.folder
