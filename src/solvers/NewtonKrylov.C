@@ -91,6 +91,24 @@ Foam::label Foam::fsbi::NewtonKrylov::correction(const scalar accuracy)
 }
 
 
+Foam::label Foam::fsbi::NewtonKrylov::guardedCorrection(const scalar accuracy)
+{
+    // multigrid stops with an error where the derivative is not positive
+    const bool throwing = FatalError.throwExceptions();
+    label iterations = -1;
+    try
+    {
+        iterations = correction(accuracy);
+    }
+    catch (const Foam::error&)
+    {
+        freshIterations_ = 0;
+    }
+    FatalError.throwExceptions(throwing);
+    return iterations;
+}
+
+
 bool Foam::fsbi::NewtonKrylov::advance(scalarList& x)
 {
     scalar part = 1;
@@ -152,10 +170,16 @@ Foam::fsbi::solverReport Foam::fsbi::NewtonKrylov::solve
             return report;
         }
         const scalar needed = margin*target/residual_.norm();
-        report.iterations += correction
+        const label iterations = guardedCorrection
         (
             linear_ ? needed : max(needed, forcing)
         );
+        if (iterations < 0)
+        {
+            report.failure = "the body has lost its stiffness";
+            return report;
+        }
+        report.iterations += iterations;
         ++report.corrections;
         if (!advance(x))
         {

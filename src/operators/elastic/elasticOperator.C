@@ -28,6 +28,10 @@ static const scalar stabilisation = 0.7;
 //  mu would buckle what it holds. None at small strain
 static const scalar strainStabilisation = 4;
 
+//- Viscous over elastic stiffness that the stabilisation, which is elastic,
+//  still holds
+static const scalar mostViscous = 30;
+
 //- Smoothing of the pressure: larger is smoother, and less local
 static const scalar smoothingScale = 1;
 
@@ -98,6 +102,22 @@ void Foam::fsbi::elasticOperator::setOwnedVertices()
 void Foam::fsbi::elasticOperator::update()
 {
     stencil_.update();
+}
+
+
+void Foam::fsbi::elasticOperator::setStep(const scalar deltaT)
+{
+    deltaT_ = deltaT;
+    const scalar least =
+        material_.viscosity()/(mostViscous*material_.mu());
+    if (deltaT < least)
+    {
+        FatalErrorInFunction
+            << "A step of " << deltaT << " is too short for the viscosity of"
+            << " region " << mesh_.name() << ", which needs " << least
+            << " at least (viscosity over " << mostViscous << " mu): take"
+            << " longer steps, or less viscosity" << exit(FatalError);
+    }
 }
 
 
