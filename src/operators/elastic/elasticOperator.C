@@ -30,7 +30,7 @@ static const scalar strainStabilisation = 4;
 
 //- Viscous over elastic stiffness that the stabilisation, which is elastic,
 //  still holds
-static const scalar mostViscous = 30;
+static const scalar mostViscous = 50;
 
 //- Smoothing of the pressure: larger is smoother, and less local
 static const scalar smoothingScale = 1;
