@@ -1,0 +1,84 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "couplingLoop.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsbi::couplingLoop::couplingLoop(const checkedDictionary& entries)
+:
+    accelerator_(accelerator::New(entries)),
+    tolerance_(entries.positive("tolerance", 1e-6)),
+    maxIterations_(entries.getOrDefault<label>("maxIterations", 50))
+{
+    if (maxIterations_ < 1)
+    {
+        FatalIOErrorInFunction(entries.dict())
+            << "Entry 'maxIterations' must be 1 or more, but is "
+            << maxIterations_ << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::string Foam::fsbi::couplingLoop::hopeless
+(
+    const scalar residual, const scalar first
+) const
+{
+    if (!std::isfinite(residual))
+    {
+        return "the coupling's residual is not a number";
+    }
+    if (residual > 1e12*max(first, tolerance_))
+    {
+        return "coupling by " + accelerator_->type() + " diverges";
+    }
+    return string();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::fsbi::solverReport Foam::fsbi::couplingLoop::solve
+(
+    const pass& H, const scalar scale, scalarField& x
+)
+{
+    if (!(scale > 0))
+    {
+        FatalErrorInFunction
+            << "The coupling's residual is measured by a scale of " << scale
+            << abort(FatalError);
+    }
+    solverReport report;
+    scalarField Hx(x.size());
+    scalar first = 0;
+    while
+    (
+        !report.converged && report.failure.empty()
+     && report.iterations < maxIterations_
+    )
+    {
+        ++report.iterations;
+        report.failure = H(x, Hx);
+        if (report.failure.empty())
+        {
+            report.residual = accelerator_->next(x, Hx)/scale;
+            first = report.iterations == 1 ? report.residual : first;
+            report.failure = hopeless(report.residual, first);
+            report.converged = report.failure.empty()
+             && (report.residual <= tolerance_ || !accelerator_->iterates());
+        }
+    }
+    if (report.converged)
+    {
+        x = Hx;
+    }
+    return report;
+}
