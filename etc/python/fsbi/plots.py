@@ -102,8 +102,19 @@ def _finish(figure, axes, xlabel, ylabel, title, note=""):
     axes.set_title(title, loc="left")
     if note:
         axes.set_title(note, loc="right", fontsize=9, color="#666666")
-    if axes.get_legend_handles_labels()[1]:
+    entries = len(axes.get_legend_handles_labels()[1])
+    if entries > 2:      # no room among the curves
+        axes.legend(fontsize=9, ncol=2, loc="upper center",
+                    bbox_to_anchor=(0.5, -0.16))
+    elif entries:
         axes.legend()
+
+
+class _PlainNumbers(matplotlib.ticker.LogFormatter):
+    """0.04 on a logarithmic axis, not 4e-02."""
+
+    def _num_to_string(self, x, vmin, vmax):
+        return f"{x:g}"
 
 
 def observed_orders(h, errors):
@@ -138,9 +149,8 @@ def convergence(path, h, errors, order=2, xlabel="cell size (µm)",
     guide = 0.6 * values[-1] * (sizes / sizes[-1]) ** order
     axes.loglog(sizes, guide, color="black", lw=1, ls="--",
                 label=f"slope {order:g}")
-    axes.xaxis.set_major_formatter(matplotlib.ticker.LogFormatter(labelOnlyBase=False))
-    axes.xaxis.set_minor_formatter(
-        matplotlib.ticker.LogFormatter(minor_thresholds=(2, 0.6)))
+    axes.xaxis.set_major_formatter(_PlainNumbers(labelOnlyBase=False))
+    axes.xaxis.set_minor_formatter(_PlainNumbers(minor_thresholds=(2, 0.6)))
     axes.grid(True, which="minor", lw=0.3)
     _finish(figure, axes, xlabel, ylabel, title)
     save(figure, path)
