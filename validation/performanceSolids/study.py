@@ -38,22 +38,31 @@ def beam(kind, across, length, solid="tolerance 1e-8;", **entries):
     return row
 
 
+def draw(picture, ladders, error, title):
+    """Error against seconds of ladders of meshes by name."""
+    curves(picture, [(name, [r["seconds"] for r in ladder],
+                      [r[error] for r in ladder])
+                     for name, ladder in ladders.items()],
+           xlabel="processor seconds", xlog=True, ylog=True,
+           ylabel=f"relative l2 error of the {error[:-5]}",
+           title=f"Flexure of a beam, L/h 8: {title}")
+
+
+def overCells(picture, ladders, quantity, ylabel, **axes):
+    curves(picture, [(name, [r["cells"] for r in ladder],
+                      [r[quantity] for r in ladder])
+                     for name, ladder in ladders.items()],
+           xlabel="cells", ylabel=ylabel, ylow=0,
+           title="Flexure of a beam, L/h 8", **axes)
+
+
 def meshes(results):
     """Error against seconds and iterations over cells, exact flexure."""
-    ladders = {"hexahedra": [4, 8] if quick else [4, 8, 12, 16, 23],
-               "tetrahedra": [4] if quick else [4, 6, 9, 13]}
-    runs = {kind: [beam(kind, n, 8, flexure="yes") for n in ladder]
-            for kind, ladder in ladders.items()}
-    if not quick:
-        for error in ("displacementError", "stressError"):
-            curves(
-                f"{error}AgainstSeconds.png",
-                [(kind, [r["seconds"] for r in ladder],
-                  [r[error] for r in ladder]) for kind, ladder in runs.items()],
-                xlabel="processor seconds", xlog=True, ylog=True,
-                ylabel=f"relative l2 error of the {error[:-5]}",
-                title="Flexure of a beam, L/h 8: finer meshes")
-    for kind, ladder in runs.items():
+    sizes = {"hexahedra": [4, 8] if quick else [4, 8, 12, 16, 23],
+             "tetrahedra": [4] if quick else [4, 6, 9, 13]}
+    ladders = {kind: [beam(kind, n, 8, flexure="yes") for n in ladder]
+               for kind, ladder in sizes.items()}
+    for kind, ladder in ladders.items():
         last = ladder[-1]
         results.add(f"krylov_iterations_{kind}_abs", last["krylov"], 0, 80,
                     seconds=last["seconds"], cells=last["cells"])
@@ -62,30 +71,43 @@ def meshes(results):
         if not quick:
             results.add(f"kilobytes_per_cell_{kind}_abs", kilobytes, 0, 20,
                         cells=last["cells"])
+    if not quick:
+        draw("displacementAgainstSeconds.png", ladders, "displacementError",
+             "meshes")
+        draw("stressAgainstSeconds.png", ladders, "stressError", "meshes")
+        overCells("iterations.png", ladders, "krylov", "Krylov iterations",
+                  xlog=True)
+        overCells("memory.png", ladders, "megabytes",
+                  "most memory of the process (MB)")
 
 
 def formulations():
-    """Seconds over formulations for one answer."""
-    sizes = [4] if quick else [4, 8, 12]
-    return {
+    """Error against seconds over formulations."""
+    ladders = {
         form: [beam("hexahedra", n, 8, law="StVenantKirchhoff", flexure="yes",
                     solid=f"tolerance 1e-8; formulation {form};")
-               for n in sizes]
+               for n in ([4] if quick else [4, 8, 12])]
         for form in ("totalLagrangian", "updatedLagrangian", "slowProcess")
     }
+    if not quick:
+        draw("formulationsAgainstSeconds.png", ladders, "stressError",
+             "formulations")
 
 
 def methods(results):
     """NewtonKrylov against segregated, to one residual."""
-    for n in [4] if quick else [4, 8, 23]:
-        control = "tolerance 1e-4;"
-        newton = beam("hexahedra", n, 8, flexure="yes", solid=control)
-        swept = beam("hexahedra", n, 8, flexure="yes",
-                     solid="method segregated; " + control)
+    ladders = {"NewtonKrylov": [], "segregated": []}
+    for n in [4] if quick else [4, 8, 12, 23]:
+        for method, ladder in ladders.items():
+            ladder.append(beam("hexahedra", n, 8, flexure="yes",
+                               solid=f"method {method}; tolerance 1e-4;"))
+        newton, swept = (ladder[-1] for ladder in ladders.values())
         results.at_least(
             f"speedup_over_segregated_{n}_across",
             swept["seconds"]/newton["seconds"], 20 if n == 23 else 5,
             seconds=swept["seconds"], cells=newton["cells"])
+    if not quick:
+        draw("solversAgainstSeconds.png", ladders, "stressError", "solvers")
 
 
 def slender(results):
@@ -121,20 +143,12 @@ def write():
                              for k, v in row.items()})
 
 
-results = Results("elastic")
+results = Results("performanceSolids")
 meshes(results)
-forms = formulations()
+formulations()
 slender(results)
 bending(results)
 methods(results)
 if not quick:
     write()
-    curves(
-        "formulationsAgainstSeconds.png",
-        [(form, [r["seconds"] for r in ladder],
-          [r["stressError"] for r in ladder])
-         for form, ladder in forms.items()],
-        xlabel="processor seconds", xlog=True, ylog=True,
-        ylabel="relative l2 error of the stress",
-        title="Flexure of a beam, L/h 8: formulations")
 results.write()

@@ -75,7 +75,7 @@ def _shrink(path, limit=150_000):
 
 
 def curves(path, computed, theory=(), xlabel="", ylabel="", title="",
-           xlog=False, ylog=False, note=""):
+           xlog=False, ylog=False, ylow=None, note=""):
     """Computed curves with markers over theory as thin black lines.
 
     computed and theory are lists of (label, x, y); returns nothing.
@@ -93,6 +93,8 @@ def curves(path, computed, theory=(), xlabel="", ylabel="", title="",
         axes.set_xscale("log")
     if ylog:
         axes.set_yscale("log")
+    if ylow is not None:
+        axes.set_ylim(ylow, 1.1 * axes.get_ylim()[1])
     _finish(figure, axes, xlabel, ylabel, title, note)
     save(figure, path)
 
