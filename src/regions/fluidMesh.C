@@ -4,14 +4,14 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fluidMesh.H"
-#include "regionMesh.H"
+#include "checkedDictionary.H"
 #include "Time.H"
 #include "pointIOField.H"
 
 Foam::fsbi::fluidMesh::fluidMesh
 (
     const Time& time,
-    const PtrList<rigidBody>& bodies,
+    const UPtrList<immersedBody>& bodies,
     timings& t,
     const dictionary& saved
 )
@@ -59,7 +59,6 @@ Foam::fsbi::fluidMesh::fluidMesh
         }
     }
     setReference();
-    createMotion();
 }
 
 
@@ -70,7 +69,7 @@ void Foam::fsbi::fluidMesh::readFollow()
         return;
     }
     const checkedDictionary follow(remeshDict_.subDict("follow"));
-    followed_ = bodyNames().find(follow.choice("body", bodyNames()));
+    followed_ = namesOf(bodies_).find(follow.choice("body", namesOf(bodies_)));
     direction_ = follow.getOrDefault<vector>("direction", vector(1, 0, 0));
     direction_ /= max(mag(direction_), VSMALL);
     follow.finish();
@@ -81,7 +80,7 @@ void Foam::fsbi::fluidMesh::readFollow()
 void Foam::fsbi::fluidMesh::readMesh(const word& instance)
 {
     mesh_ = readRegionMesh(time_, "fluid", instance);
-    for (const word& name : bodyNames())
+    for (const word& name : namesOf(bodies_))
     {
         if (mesh().boundaryMesh().findPatchID(name) < 0)
         {
@@ -117,7 +116,7 @@ void Foam::fsbi::fluidMesh::readDomain()
 void Foam::fsbi::fluidMesh::checkPatchNames() const
 {
     const wordList patches((*domain_)().boundaryMesh().names());
-    for (const word& name : bodyNames())
+    for (const word& name : namesOf(bodies_))
     {
         if (patches.found(name))
         {
@@ -145,7 +144,7 @@ bool Foam::fsbi::fluidMesh::generate
         {
             surfaces[b] = bodies_[b].placedSurface();
         }
-        whole = mesher_->generate(bodyNames(), surfaces, shift());
+        whole = mesher_->generate(namesOf(bodies_), surfaces, shift());
         reason = whole.failure;
     }
     Pstream::scatter(reason);
@@ -164,33 +163,18 @@ bool Foam::fsbi::fluidMesh::generate
 void Foam::fsbi::fluidMesh::setReference()
 {
     referencePoints_ = mesh().points();
-    referencePlacements_ = placements();
     referenceShift_ = shift();
+    motion_.reset(new fluidMotion(mesh(), bodies_));
+    measureReference();
 }
 
 
-void Foam::fsbi::fluidMesh::createMotion()
+void Foam::fsbi::fluidMesh::measureReference()
 {
-    List<bodySurface> surfaces(bodies_.size());
-    forAll(bodies_, b)
-    {
-        surfaces[b] = bodies_[b].surface().transformed
-        (
-            referencePlacements_[b].orientation.R(),
-            referencePlacements_[b].centre
-        );
-    }
     referenceVolumes_ = mesh().cellVolumes();
-    motion_.reset
-    (
-        new rigidBlendMotion
-        (
-            mesh(), bodyNames(), surfaces, referencePlacements_
-        )
-    );
     const bodySurface walls
     (
-        rigidBlendMotion::domainBoundary(mesh(), bodyNames())
+        rigidBlendMotion::domainBoundary(mesh(), namesOf(bodies_))
     );
     walls_.reset(new surfaceDistance(walls.points(), walls.triangles()));
 }
@@ -233,49 +217,45 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap() const
 }
 
 
-Foam::wordList Foam::fsbi::fluidMesh::bodyNames() const
-{
-    wordList names(bodies_.size());
-    forAll(bodies_, b)
-    {
-        names[b] = bodies_[b].name();
-    }
-    return names;
-}
-
-
-Foam::List<Foam::fsbi::placement> Foam::fsbi::fluidMesh::placements() const
-{
-    List<placement> result(bodies_.size());
-    forAll(bodies_, b)
-    {
-        result[b].centre = bodies_[b].now().centre;
-        result[b].orientation = bodies_[b].now().orientation;
-    }
-    return result;
-}
-
-
 Foam::vector Foam::fsbi::fluidMesh::shift() const
 {
     if (followed_ < 0)
     {
         return Zero;
     }
-    const rigidBody& body = bodies_[followed_];
-    return direction_*(direction_ & (body.now().centre - body.start()));
+    const immersedBody& body = bodies_[followed_];
+    return direction_*(direction_ & (body.placed().centre - body.start()));
 }
 
 
 bool Foam::fsbi::fluidMesh::isBody(const word& patchName) const
 {
-    return bodyNames().found(patchName);
+    return namesOf(bodies_).found(patchName);
 }
 
 
 Foam::label Foam::fsbi::fluidMesh::bodyPatch(const label bodyi) const
 {
     return mesh().boundaryMesh().findPatchID(bodies_[bodyi].name());
+}
+
+
+void Foam::fsbi::fluidMesh::move()
+{
+    mesh_->movePoints(motion_->points(shift() - referenceShift_));
+    mesh_->moving(false);
+}
+
+
+bool Foam::fsbi::fluidMesh::usable(string& reason) const
+{
+    const scalar smallest = gMin(mesh().cellVolumes());
+    if (smallest > 0)
+    {
+        return true;
+    }
+    reason = "a cell of the fluid has the volume " + name(smallest);
+    return false;
 }
 
 
@@ -286,15 +266,14 @@ Foam::fsbi::fluidMesh::outcome Foam::fsbi::fluidMesh::follow
 )
 {
     auto timer = timings_.measure("meshing");
-    mesh_->movePoints(motion_->move(placements(), shift() - referenceShift_));
-    mesh_->moving(false);
+    move();
 
     const remeshControls controls(remeshDict_);
     const string worn
     (
         meshQuality(mesh(), referenceVolumes_).complaint
         (
-            controls, motion_->twist(placements())
+            controls, motion_->twist()
         )
     );
     if (worn.empty())
@@ -307,7 +286,6 @@ Foam::fsbi::fluidMesh::outcome Foam::fsbi::fluidMesh::follow
         return outcome::failed;
     }
     setReference();
-    createMotion();
     return outcome::remeshed;
 }
 
@@ -335,15 +313,7 @@ void Foam::fsbi::fluidMesh::write
 
 void Foam::fsbi::fluidMesh::save(dictionary& state) const
 {
-    List<vector> centres(bodies_.size());
-    List<quaternion> orientations(bodies_.size());
-    forAll(bodies_, b)
-    {
-        centres[b] = referencePlacements_[b].centre;
-        orientations[b] = referencePlacements_[b].orientation;
-    }
-    state.set("referenceCentres", centres);
-    state.set("referenceOrientations", orientations);
+    motion_->save(state);
     state.set("referenceShift", referenceShift_);
     state.set("generation", generation_);
 }
@@ -351,15 +321,6 @@ void Foam::fsbi::fluidMesh::save(dictionary& state) const
 
 void Foam::fsbi::fluidMesh::restore(const dictionary& saved)
 {
-    const auto centres = saved.get<List<vector>>("referenceCentres");
-    const auto orientations =
-        saved.get<List<quaternion>>("referenceOrientations");
-    referencePlacements_.setSize(bodies_.size());
-    forAll(bodies_, b)
-    {
-        referencePlacements_[b].centre = centres[b];
-        referencePlacements_[b].orientation = orientations[b];
-    }
     referenceShift_ = saved.get<vector>("referenceShift");
     generation_ = saved.get<label>("generation");
     referencePoints_ = pointIOField
@@ -373,7 +334,8 @@ void Foam::fsbi::fluidMesh::restore(const dictionary& saved)
 
     const pointField now(mesh().points());
     mesh_->movePoints(referencePoints_);
-    createMotion();
+    motion_.reset(new fluidMotion(mesh(), bodies_, saved));
+    measureReference();
     mesh_->movePoints(now);
     mesh_->moving(false);
 }

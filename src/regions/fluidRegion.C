@@ -10,13 +10,15 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Foam::fsbi::fluidRegion::fluidRegion
 (
     const Time& time,
-    const PtrList<rigidBody>& bodies,
+    const PtrList<rigidBody>& rigidBodies,
+    const UPtrList<immersedBody>& bodies,
     timings& t,
     const dictionary& savedMesh
 )
 :
     time_(time),
     timings_(t),
+    rigidBodies_(rigidBodies),
     mu_(readViscosity(time)),
     mesh_(time, bodies, t, savedMesh),
     conditions_(time, mesh_)
@@ -166,7 +168,7 @@ void Foam::fsbi::fluidRegion::createSolver()
 void Foam::fsbi::fluidRegion::checkIntegrators(const dictionary& coupling) const
 {
     const word method(coupling.getOrDefault<word>("method", "coupled"));
-    for (const rigidBody& body : mesh_.bodies())
+    for (const rigidBody& body : rigidBodies_)
     {
         if (body.integrator() == "semiImplicit" && method != "SIMPLEC")
         {
@@ -220,6 +222,19 @@ bool Foam::fsbi::fluidRegion::follow(string& reason)
         createOperators();
     }
     return outcome != fluidMesh::outcome::failed;
+}
+
+
+bool Foam::fsbi::fluidRegion::move(string& reason)
+{
+    auto timer = timings_.measure("meshing");
+    mesh_.move();
+    if (!mesh_.usable(reason))
+    {
+        return false;
+    }
+    stokes_->update();
+    return true;
 }
 
 

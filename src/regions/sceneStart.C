@@ -30,11 +30,15 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
     checkRegions();
     if (fluidGiven())
     {
+        for (rigidBody& body : bodies_)
+        {
+            immersed_.append(&body);
+        }
         fluid_.reset
         (
             new fluidRegion
             (
-                time, bodies_, timings_, saved.subOrEmptyDict("fluidMesh")
+                time, bodies_, immersed_, timings_, saved.subOrEmptyDict("fluidMesh")
             )
         );
     }

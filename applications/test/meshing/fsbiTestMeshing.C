@@ -12,6 +12,8 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
+#include "petscObjects.H"
+#include "deforming.H"
 #include "filling.H"
 #include "meshDistribution.H"
 #include "rigidBlendMotion.H"
@@ -23,7 +25,7 @@ using namespace Foam::fsbi;
 
 static void checkFar(checks& c)
 {
-    scene s;
+    boxScene s;
     s.add(shape("type sphere; radius 1;", 0.2), point(0.1, 0, 3));
     const meshLists mesh(s.generate());
     checkMesh(c, "sphere", s, mesh);
@@ -55,7 +57,7 @@ static void checkFar(checks& c)
     c.check("farSize refines", fine.nCells() > mesh.nCells());
     checkMesh(c, "HXT", s, s.generate("algorithm HXT;"));
 
-    scene shifted;
+    boxScene shifted;
     shifted.add(s.bodies[0], vector(10, 0, 0));
     const meshLists moved
     (
@@ -74,12 +76,12 @@ static void checkFar(checks& c)
 
 static void checkUnits(checks& c)
 {
-    scene s(1e-6);
+    boxScene s(1e-6);
     s.add(shape("type sphere; radius 1e-6;", 0.2e-6), 1e-6*point(0.1, 0, 3));
     const meshLists mesh(s.generate());
     checkMesh(c, "micrometres in metres", s, mesh);
 
-    scene none;
+    boxScene none;
     const meshLists empty(none.generate());
     checkMesh(c, "no bodies", none, empty);
 }
@@ -87,7 +89,7 @@ static void checkUnits(checks& c)
 
 static void checkGaps(checks& c)
 {
-    scene wall;
+    boxScene wall;
     wall.add(shape("type sphere; radius 1;", 0.15), point(0, 0, 1.1));
     const meshLists mesh(wall.generate());
     checkMesh(c, "gap to the wall", wall, mesh);
@@ -108,13 +110,13 @@ static void checkGaps(checks& c)
     }
     c.checkBelow("gap to the wall: the wall is fine", longest, 0.12);
 
-    scene pair;
+    boxScene pair;
     const bodySurface sphere(shape("type sphere; radius 1;", 0.15));
     pair.add(sphere, point(-1.05, 0, 3));
     pair.add(sphere, point(1.05, 0, 3));
     checkMesh(c, "gap between spheres", pair, pair.generate());
 
-    scene coil;
+    boxScene coil;
     coil.add
     (
         shape
@@ -129,7 +131,7 @@ static void checkGaps(checks& c)
 
 static void checkSpot(checks& c)
 {
-    scene s("patch", {}, true);
+    boxScene s("patch", {}, true);
     s.add(shape("type sphere; radius 1;", 0.25), point(0, 0, 1.4));
     const meshLists mesh(s.generate());
     checkMesh(c, "patch in a patch", s, mesh);
@@ -144,7 +146,7 @@ static void checkSpot(checks& c)
 
 static void checkCurved(checks& c)
 {
-    scene s
+    boxScene s
     (
         "patch",
         [](const point& p)
@@ -165,7 +167,7 @@ static void checkCurved(checks& c)
 
 static void checkCyclic(checks& c)
 {
-    scene s("cyclic");
+    boxScene s("cyclic");
     s.add(shape("type sphere; radius 1;", 0.25), point(2.6, 0.5, 3));
     const meshLists mesh(s.generate());
     checkMesh(c, "cyclic", s, mesh);
@@ -199,7 +201,7 @@ static void checkCyclic(checks& c)
 
 static void checkMotion(checks& c)
 {
-    scene s;
+    boxScene s;
     s.add(shape("type sphere; radius 1;", 0.2), point(0.1, 0, 3));
     const meshLists lists(s.generate());
     autoPtr<fvMesh> mesh(s.fluid(lists));
@@ -259,7 +261,7 @@ static void checkErrors(checks& c)
         const std::string& text
     )
     {
-        scene s;
+        boxScene s;
         s.add(sphere, a);
         s.add(sphere, b);
         c.checkFatal(name, [&]{ s.generate(); }, text);
@@ -269,7 +271,7 @@ static void checkErrors(checks& c)
     refused("a body in the wall is refused", good, point(1, 1, 0.5), "'body1'");
     refused("overlapping bodies are refused", good, point(-1, -2, 2), "overlaps");
 
-    scene nested;
+    boxScene nested;
     nested.add(shape("type sphere; radius 2;", 0.5), point(0, 0, 3));
     nested.add(sphere, point(0, 0, 3));
     c.checkFatal
@@ -283,7 +285,7 @@ static void checkErrors(checks& c)
     );
 
     // failure without a fatal error: no mesh is that good
-    scene s;
+    boxScene s;
     s.add(sphere, good);
     const meshLists none(s.generate("maxNonOrthogonality 10;"));
     c.check("an impossible limit returns the failure", !none.valid());
@@ -292,7 +294,7 @@ static void checkErrors(checks& c)
 
 static void checkDistribution(checks& c)
 {
-    scene s;
+    boxScene s;
     s.add(shape("type sphere; radius 1;", 0.25), point(0.1, 0, 3));
     meshLists whole;
     labelList ranks;
@@ -363,6 +365,8 @@ int main(int argc, char* argv[])
     argList::noCheckProcessorDirectories();
     argList args(argc, argv, false, false, true);
 
+    petscSession petsc;
+
     checks c;
     if (!Pstream::parRun())
     {
@@ -375,8 +379,10 @@ int main(int argc, char* argv[])
         checkMotion(c);
         checkErrors(c);
         checkFilling(c);
+        checkFit(c);
     }
     checkDistribution(c);
     checkMasterAlone(c);
+    checkDeforming(c);
     return c.finish();
 }

@@ -1,0 +1,200 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "displacementSpread.H"
+#include "polyMesh.H"
+#include "processorPolyPatch.H"
+#include "globalIndex.H"
+#include "syncTools.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+static const PetscReal tolerance = 1e-10;
+
+//- The master may work alone
+static MPI_Comm communicator()
+{
+    return Pstream::parRun() ? PETSC_COMM_WORLD : PETSC_COMM_SELF;
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::fsbi::displacementSpread::displacementSpread(const polyMesh& mesh)
+:
+    mesh_(mesh)
+{
+    const untrapped scope;
+    number();
+    createMatrix();
+    createSolver();
+}
+
+
+void Foam::fsbi::displacementSpread::number()
+{
+    boolList given(mesh_.nPoints(), false);
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        if (!isA<processorPolyPatch>(patch))
+        {
+            UIndirectList<bool>(given, patch.meshPoints()) = true;
+        }
+    }
+    syncTools::syncPointList(mesh_, given, orEqOp<bool>(), false);
+
+    bitSet inside(syncTools::getMasterPoints(mesh_));
+    inside.unset(bitSet(given));
+    owned_ = inside.toc();
+    const globalIndex global(owned_.size());
+    row_ = labelList(mesh_.nPoints(), -1);
+    forAll(owned_, i)
+    {
+        row_[owned_[i]] = global.toGlobal(i);
+    }
+    syncTools::syncPointList(mesh_, row_, maxEqOp<label>(), label(-1));
+}
+
+
+template<class Action>
+void Foam::fsbi::displacementSpread::eachPair
+(
+    const label celli, const Action& add
+) const
+{
+    const labelList& points = mesh_.cellPoints()[celli];
+    const label n = points.size();
+    const scalar V = mesh_.cellVolumes()[celli];
+
+    // V times the gradient's vectors: the mean over a face is that of its
+    // vertices
+    vectorField B(n, Zero);
+    for (const label facei : mesh_.cells()[celli])
+    {
+        const face& f = mesh_.faces()[facei];
+        const scalar sign = mesh_.faceOwner()[facei] == celli ? 1 : -1;
+        for (const label p : f)
+        {
+            B[points.find(p)] += sign/f.size()*mesh_.faceAreas()[facei];
+        }
+    }
+    const scalar spring = n > 4 ? cbrt(V) : 0;
+    for (label i = 0; i < n; ++i)
+    {
+        for (label j = 0; j < n; ++j)
+        {
+            const scalar k = (B[i] & B[j])/V + spring*((i == j) - 1.0/n);
+            add(points[i], points[j], k/V);
+        }
+    }
+}
+
+
+void Foam::fsbi::displacementSpread::createMatrix()
+{
+    DynamicList<PetscInt> rows, columns;
+    DynamicList<PetscScalar> entries;
+    forAll(mesh_.cells(), celli)
+    {
+        eachPair
+        (
+            celli,
+            [&](const label i, const label j, const scalar k)
+            {
+                if (row_[i] >= 0 && row_[j] >= 0)
+                {
+                    rows.append(row_[i]);
+                    columns.append(row_[j]);
+                    entries.append(k);
+                }
+                else if (row_[i] >= 0)
+                {
+                    couplings_.append(coupling{i, j, k});
+                }
+            }
+        );
+    }
+    const PetscInt n = owned_.size();
+    petscCheck(MatCreate(communicator(), matrix_.create()));
+    petscCheck(MatSetSizes(matrix_, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
+    petscCheck(MatSetType(matrix_, MATAIJ));
+    petscCheck
+    (
+        MatSetPreallocationCOO
+        (
+            matrix_, rows.size(), rows.data(), columns.data()
+        )
+    );
+    petscCheck(MatSetValuesCOO(matrix_, entries.data(), ADD_VALUES));
+    petscCheck(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
+    petscCheck(MatCreateVecs(matrix_, solution_.create(), source_.create()));
+}
+
+
+void Foam::fsbi::displacementSpread::createSolver()
+{
+    PC pc;
+    petscCheck(KSPCreate(communicator(), solver_.create()));
+    petscCheck(KSPSetType(solver_, KSPCG));
+    petscCheck(KSPGetPC(solver_, &pc));
+    petscCheck(PCSetType(pc, PCGAMG));
+    petscCheck(KSPSetOptionsPrefix(solver_, "fsbiMotion_"));
+    petscCheck
+    (
+        KSPSetTolerances
+        (
+            solver_, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT
+        )
+    );
+    petscCheck(KSPSetErrorIfNotConverged(solver_, PETSC_TRUE));
+    petscCheck(KSPSetFromOptions(solver_));
+    petscCheck(KSPSetOperators(solver_, matrix_, matrix_));
+    petscCheck(KSPSetUp(solver_));
+}
+
+
+void Foam::fsbi::displacementSpread::fill(vectorField& r) const
+{
+    const untrapped scope;
+    vectorField source(mesh_.nPoints(), Zero);
+    for (const coupling& c : couplings_)
+    {
+        source[c.inside] -= c.stiffness*r[c.given];
+    }
+    syncTools::syncPointList
+    (
+        mesh_, source, plusEqOp<vector>(), vector::zero
+    );
+
+    scalarList x(3*owned_.size());
+    forAll(owned_, i)
+    {
+        std::copy_n(source[owned_[i]].v_, 3, x.begin() + 3*i);
+    }
+    for (label k = 0; k < 3; ++k)
+    {
+        solveComponent(solver_, source_, solution_, 3, x.begin() + k);
+    }
+
+    forAll(r, p)
+    {
+        if (row_[p] >= 0)
+        {
+            r[p] = Zero;
+        }
+    }
+    forAll(owned_, i)
+    {
+        std::copy_n(x.begin() + 3*i, 3, r[owned_[i]].v_);
+    }
+    syncTools::syncPointList
+    (
+        mesh_, r, maxMagSqrEqOp<vector>(), vector::zero
+    );
+}

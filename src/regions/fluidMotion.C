@@ -1,0 +1,154 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "displacementSpread.H"
+#include "fluidMotion.H"
+#include "surfaceMap.H"
+#include "polyMesh.H"
+#include "syncTools.H"
+
+Foam::wordList Foam::fsbi::namesOf(const UPtrList<immersedBody>& bodies)
+{
+    wordList names(bodies.size());
+    forAll(bodies, b)
+    {
+        names[b] = bodies[b].name();
+    }
+    return names;
+}
+
+
+Foam::fsbi::fluidMotion::fluidMotion
+(
+    const polyMesh& mesh, const UPtrList<immersedBody>& bodies
+)
+:
+    mesh_(mesh),
+    bodies_(bodies),
+    surfaces_(bodies.size()),
+    placements_(placementsNow())
+{
+    forAll(bodies_, b)
+    {
+        surfaces_[b] = bodies_[b].placedSurface();
+    }
+    create();
+}
+
+
+Foam::fsbi::fluidMotion::fluidMotion
+(
+    const polyMesh& mesh,
+    const UPtrList<immersedBody>& bodies,
+    const dictionary& saved
+)
+:
+    mesh_(mesh),
+    bodies_(bodies),
+    surfaces_(bodies.size()),
+    placements_(bodies.size())
+{
+    const auto points = saved.get<List<pointField>>("referenceSurfaces");
+    const auto centres = saved.get<List<vector>>("referenceCentres");
+    const auto orientations =
+        saved.get<List<quaternion>>("referenceOrientations");
+    forAll(bodies_, b)
+    {
+        surfaces_[b] =
+            bodySurface(points[b], bodies_[b].placedSurface().triangles());
+        placements_[b] = {centres[b], orientations[b]};
+    }
+    create();
+}
+
+
+Foam::fsbi::fluidMotion::~fluidMotion()
+{}
+
+
+void Foam::fsbi::fluidMotion::create()
+{
+    blend_.reset
+    (
+        new rigidBlendMotion(mesh_, namesOf(bodies_), surfaces_, placements_)
+    );
+    meshPoints_.setSize(bodies_.size());
+    surfacePoints_.setSize(bodies_.size());
+    forAll(bodies_, b)
+    {
+        if (bodies_[b].deforms())
+        {
+            const polyPatch& patch = mesh_.boundaryMesh()[bodies_[b].name()];
+            meshPoints_[b] = patch.meshPoints();
+            surfacePoints_[b] = surfaceMap(patch, surfaces_[b]).points();
+            if (!spread_)
+            {
+                spread_.reset(new displacementSpread(mesh_));
+            }
+        }
+    }
+}
+
+
+Foam::List<Foam::fsbi::placement> Foam::fsbi::fluidMotion::placementsNow() const
+{
+    List<placement> result(bodies_.size());
+    forAll(bodies_, b)
+    {
+        result[b] = bodies_[b].placed();
+    }
+    return result;
+}
+
+
+Foam::pointField Foam::fsbi::fluidMotion::points(const vector& frameShift) const
+{
+    pointField x(blend_->move(placementsNow(), frameShift));
+    if (!spread_)
+    {
+        return x;
+    }
+    vectorField r(x.size(), Zero);
+    forAll(bodies_, b)
+    {
+        if (bodies_[b].deforms())
+        {
+            const bodySurface now(bodies_[b].placedSurface());
+            forAll(meshPoints_[b], i)
+            {
+                const label p = meshPoints_[b][i];
+                r[p] = now.points()[surfacePoints_[b][i]] - x[p];
+            }
+        }
+    }
+    // processors with a point of the patch, but no face of it
+    syncTools::syncPointList(mesh_, r, maxMagSqrEqOp<vector>(), vector::zero);
+    spread_->fill(r);
+    x += r;
+    return x;
+}
+
+
+Foam::scalar Foam::fsbi::fluidMotion::twist() const
+{
+    return blend_->twist(placementsNow());
+}
+
+
+void Foam::fsbi::fluidMotion::save(dictionary& state) const
+{
+    List<pointField> points(bodies_.size());
+    List<vector> centres(bodies_.size());
+    List<quaternion> orientations(bodies_.size());
+    forAll(bodies_, b)
+    {
+        points[b] = surfaces_[b].points();
+        centres[b] = placements_[b].centre;
+        orientations[b] = placements_[b].orientation;
+    }
+    state.set("referenceSurfaces", points);
+    state.set("referenceCentres", centres);
+    state.set("referenceOrientations", orientations);
+}
