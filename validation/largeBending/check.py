@@ -17,22 +17,28 @@ quick = sys.argv[1] == "true"
 results = Results("largeBending")
 
 
-def elastica(load, kind, thickness=0):
-    """x, y over the length of an inextensible line without shear.
+def elastica(load, kind, thickness, nu):
+    """x, y over the length of the axis of a square rod: the elastica, with
+    the shear and the stretch that a rod so thick has (Reissner, Cowper).
 
     Its state is theta, moment, internal force, place. The pressure acts on a
-    side at half the thickness from the line, which is longer by the curvature.
+    side at half the thickness from the axis, which is longer by the curvature.
     """
     q = load if kind == "pressure" else 0
     end = load if kind == "force" else 0
+    stretch = thickness**2 / 12
+    shear = stretch * 2 * (1 + nu) * (12 + 11 * nu) / (10 * (1 + nu))
 
     def slope(s, z):
         theta, moment, nx, ny = z[:4]
-        side = q * (1 + moment * thickness / 2)
+        c, sn = np.cos(theta), np.sin(theta)
+        along = 1 + stretch * (nx * c + ny * sn)
+        across = shear * (ny * c - nx * sn)
+        x, y = along * c - across * sn, along * sn + across * c
+        bent = moment * thickness / 2
         return np.array([
-            moment, nx * np.sin(theta) - ny * np.cos(theta),
-            side * np.sin(theta), -side * np.cos(theta),
-            np.cos(theta), np.sin(theta)])
+            moment, nx * y - ny * x, q * (y + bent * sn), -q * (x + bent * c),
+            x, y])
 
     def ends(a, b):
         return np.array([a[0], a[4], a[5], b[1], b[2], b[3] - end])
@@ -67,7 +73,8 @@ class Bent(Case):
         return (self.points[i] + self.D[i])[:2] / self.length - (0, 0.5 / self.length)
 
     def exact(self):
-        return elastica(self.load, self.kind, 1 / self.length)
+        nu = {"SVK03": 0.3, "neoHookean49": 0.49}.get(self.law, 0)
+        return elastica(self.load, self.kind, 1 / self.length, nu)
 
     def error(self):
         """Of the end, over its displacement."""
@@ -113,7 +120,7 @@ def draw(runs, length):
              and r.across == (4 if quick else 8)]
     for i, run in enumerate(shown):
         x, y = run.exact()
-        axes.plot(x, y, color="black", lw=1.2, label=None if i else "elastica")
+        axes.plot(x, y, color="black", lw=1.2, label=None if i else "elastica with shear")
         places = np.array([run.place(s) for s in np.linspace(0, 1, 11)])
         load = {"force": "force {} EI/L²", "pressure": "pressure {} EI/L³"}
         law = {"neoHookean49": "neo-Hookean, ν 0.49"}.get(run.law, "SVK, ν 0")
