@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "deforming.H"
-#include "boxScene.H"
+#include "bodyMesher.H"
 #include "fluidMotion.H"
 #include "meshDistribution.H"
 #include "serialScope.H"
@@ -59,42 +59,7 @@ void checkFit(checks& c)
 }
 
 
-// A box with a deforming and a rigid body, whole or a part of it
-struct rubberScene
-{
-    boxScene box;
-    rubber soft;
-    rubber stiff;
-    UPtrList<immersedBody> bodies;
-
-    rubberScene()
-    :
-        soft
-        (
-            "body0", shape("type sphere; radius 1;", 0.2), point(0.1, 0, 3)
-        ),
-        stiff
-        (
-            "body1", shape("type sphere; radius 0.5;", 0.15),
-            point(-2.4, -2.2, 4), false
-        )
-    {
-        for (rubber* b : {&soft, &stiff})
-        {
-            box.add(b->placedSurface(), Zero);
-            bodies.append(b);
-        }
-    }
-
-    void pull(const scalar s)
-    {
-        soft.pull(s);
-        stiff.pull(0.3*s);
-    }
-};
-
-
-static void checkMap
+void checkMap
 (
     checks& c, const word& name, const polyPatch& patch,
     const bodySurface& surface
@@ -122,6 +87,45 @@ static void checkMap
     (
         name + ": faces and points are found in the surface",
         returnReduce(error, maxOp<scalar>()), 1e-12
+    );
+}
+
+
+void checkMapping(checks& c)
+{
+    const boxScene box;
+    const bodySurface sphere(shape("type sphere; radius 1;", 0.3));
+    rubber body("surface", sphere, point(5, 0, 1));
+    body.pull(1);
+    const bodySurface now(body.placedSurface());
+    const autoPtr<fvMesh> inside
+    (
+        box.fluid(bodyMesher(dict("")).fill("surface", now), "solid")
+    );
+    const polyPatch& patch = inside->boundaryMesh()[0];
+    checkMap(c, "inside", patch, now);
+
+    const auto refused = [&](const std::string& name, const bodySurface& other)
+    {
+        c.checkFatal
+        (
+            name, [&]{ const surfaceMap map(patch, other); }, "'surface'"
+        );
+    };
+    refused("a surface elsewhere is refused", sphere);
+    pointField points(now.points());
+    points.last() *= 1.01;
+    refused
+    (
+        "a surface with one point elsewhere is refused",
+        bodySurface(points, now.triangles())
+    );
+    List<triFace> triangles(now.triangles());
+    triangles.append(triFace(now.triangles().first()));
+    refused
+    (
+        "a surface with a triangle too many is refused",
+        bodySurface(now.points(), triangles)
     );
 }
 

@@ -380,6 +380,8 @@ int main(int argc, char* argv[])
         checkErrors(c);
         checkFilling(c);
         checkFit(c);
+        checkMapping(c);
+        checkFluidMesh(c);
     }
     checkDistribution(c);
     checkMasterAlone(c);
