@@ -107,7 +107,7 @@ def _finish(figure, axes, xlabel, ylabel, title, note=""):
     entries = len(axes.get_legend_handles_labels()[1])
     if entries > 2:      # no room among the curves
         axes.legend(fontsize=9, ncol=2, loc="upper center",
-                    bbox_to_anchor=(0.5, -0.16))
+                    bbox_to_anchor=(0.5, -0.15 - 0.01 * entries))
     elif entries:
         axes.legend()
 
