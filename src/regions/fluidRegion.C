@@ -227,12 +227,15 @@ bool Foam::fsbi::fluidRegion::follow(string& reason)
 
 bool Foam::fsbi::fluidRegion::move(string& reason)
 {
-    auto timer = timings_.measure("meshing");
-    mesh_.move();
-    if (!mesh_.usable(reason))
     {
-        return false;
+        auto timer = timings_.measure("meshing");
+        mesh_.move();
+        if (!mesh_.usable(reason))
+        {
+            return false;
+        }
     }
+    auto timer = timings_.measure("assembly");
     stokes_->update();
     return true;
 }
