@@ -144,7 +144,18 @@ bool Foam::fsbi::fluidMesh::generate
         {
             surfaces[b] = bodies_[b].placedSurface();
         }
-        whole = mesher_->generate(namesOf(bodies_), surfaces, shift());
+        // once there is a mesh, bodies that overlap are no wrong input: the
+        // step was too long
+        const bool thrown = FatalError.throwExceptions(mesh_.valid());
+        try
+        {
+            whole = mesher_->generate(namesOf(bodies_), surfaces, shift());
+        }
+        catch (const error& overlap)
+        {
+            whole.failure = overlap.message();
+        }
+        FatalError.throwExceptions(thrown);
         reason = whole.failure;
     }
     Pstream::scatter(reason);

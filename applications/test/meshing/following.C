@@ -127,6 +127,14 @@ static void checkWithinStep(checks& c, rubberScene& s, fluidMesh& mesh)
         "a mesh with inverted cells is not, and says so",
         !mesh.usable(reason) && reason.find("volume") != string::npos
     );
+    s.soft.centre = s.stiff.centre;
+    c.check
+    (
+        "a step of bodies into each other fails",
+        mesh.follow(reason, []{}) == fluidMesh::outcome::failed
+     && reason.find("'body0'") != string::npos,
+        reason
+    );
     c.checkBelow
     (
         "it comes back to where it was",
