@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "recorder.H"
+#include "equivalentEllipsoid.H"
 #include "Time.H"
 #include "OSspecific.H"
 
@@ -85,6 +86,16 @@ void Foam::fsbi::recorder::declareElastic(const solidRegion& body)
     (
         path/"deformation", {"minJ", "minStretch", "maxStretch"}, "-"
     );
+    if (scene_.hasFluid())
+    {
+        history_.declare(path/"fluidForce", xyz, "M L/T^2");
+        history_.declare(path/"volume", {"now"}, "L^3");
+        history_.declare
+        (
+            path/"semiAxes", {"longest", "middle", "shortest"}, "L"
+        );
+        history_.declare(path/"longestAxis", xyz, "-");
+    }
     for (const word& patch : body.heldPatches())
     {
         history_.declare(path/"reaction"/patch, xyz, "M L/T^2");
@@ -114,6 +125,13 @@ void Foam::fsbi::recorder::openSeries()
             body.name(),
             "centre(xyz) momentum(xyz) angularMomentum(xyz) elasticEnergy"
             " kineticEnergy work minJ minStretch maxStretch"
+          + string
+            (
+                scene_.hasFluid()
+              ? " fluidForce(xyz) volume semiAxes(longest middle shortest)"
+                " longestAxis(xyz)"
+              : ""
+            )
         );
     }
 }
@@ -157,9 +175,10 @@ void Foam::fsbi::recorder::appendSeries
 void Foam::fsbi::recorder::appendSeries
 (
     OFstream& os,
-    const solidMeasures& m
+    const solidRegion& body
 ) const
 {
+    const solidMeasures& m = body.measures();
     os << time_.value();
     for (const vector& v : {m.centre, m.momentum, m.angularMomentum})
     {
@@ -172,6 +191,16 @@ void Foam::fsbi::recorder::appendSeries
     )
     {
         os << ' ' << s;
+    }
+    if (scene_.hasFluid())
+    {
+        const equivalentEllipsoid shape(body.surface().placedSurface());
+        const vector& f = body.fluidForce();
+        const vector& a = shape.axes;
+        const vector e(shape.directions.x());
+        os  << ' ' << f.x() << ' ' << f.y() << ' ' << f.z() << ' '
+            << shape.volume << ' ' << a.x() << ' ' << a.y() << ' ' << a.z()
+            << ' ' << e.x() << ' ' << e.y() << ' ' << e.z();
     }
     finishRow(os);
 }
@@ -231,6 +260,14 @@ void Foam::fsbi::recorder::appendHistory(const solidRegion& body)
     add("angularMomentum", m.angularMomentum);
     add("centre", m.centre);
     add("deformation", vector(m.minJ, m.minStretch, m.maxStretch));
+    if (scene_.hasFluid())
+    {
+        const equivalentEllipsoid shape(body.surface().placedSurface());
+        add("fluidForce", body.fluidForce());
+        history_.append(path/"volume", t, scalarList(1, shape.volume));
+        add("semiAxes", shape.axes);
+        add("longestAxis", shape.directions.x());
+    }
     for (const word& patch : body.heldPatches())
     {
         add("reaction"/patch, body.reaction(patch));
@@ -258,7 +295,7 @@ void Foam::fsbi::recorder::append()
         {
             appendSeries
             (
-                series_[scene_.bodies().size() + b], body.measures()
+                series_[scene_.bodies().size() + b], body
             );
         }
     }

@@ -70,6 +70,19 @@ void Foam::fsbi::stokesOperator::update()
 }
 
 
+Foam::scalar Foam::fsbi::stokesOperator::wallCoeff(const label i) const
+{
+    const label facei = mesh_.nInternalFaces() + i;
+    const vector& S = mesh_.faceAreas()[facei];
+    const vector db
+    (
+        mesh_.faceCentres()[facei]
+      - mesh_.cellCentres()[mesh_.faceOwner()[facei]]
+    );
+    return mu_*magSqr(S)/(S & db);
+}
+
+
 void Foam::fsbi::stokesOperator::setStabilisation()
 {
     const vectorField& S = stencil_.area();
@@ -85,16 +98,10 @@ void Foam::fsbi::stokesOperator::setStabilisation()
     }
     forAll(velocityGiven_, i)
     {
-        const label facei = mesh_.nInternalFaces() + i;
-        const label celli = mesh_.faceOwner()[facei];
+        const label celli = mesh_.faceOwner()[mesh_.nInternalFaces() + i];
         if (velocityGiven_[i])
         {
-            const vector& Sf = mesh_.faceAreas()[facei];
-            const vector db
-            (
-                mesh_.faceCentres()[facei] - mesh_.cellCentres()[celli]
-            );
-            diagonal[celli] += mu_*magSqr(Sf)/(Sf & db);
+            diagonal[celli] += wallCoeff(i);
         }
     }
     diagonal_ = SubList<scalar>(diagonal, mesh_.nCells());

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fluidRegion.H"
+#include "bodyCoupling.H"
 #include "tractionCondition.H"
 #include "syncTools.H"
 
@@ -248,11 +249,7 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
 )
 {
     auto timer = timings_.measure("solve");
-    forAll(rows, b)
-    {
-        rows[b].faces = bodyFaces_[b];
-        rows[b].vertices = bodyVertices_[b];
-    }
+    setRows(rows);
     conditions_.evaluate(U_(), stokes_(), given_);
 
     solverReport report
@@ -263,23 +260,19 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
         )
     );
 
-    loads.setSize(rows.size());
-    forAll(rows, b)
-    {
-        vector force(Zero), torque(Zero);
-        for (const label i : bodyFaces_[b])
-        {
-            const point& x =
-                mesh().faceCentres()[mesh().nInternalFaces() + i];
-            force -= traction_[i];
-            torque -= (x - rows[b].centre) ^ traction_[i];
-        }
-        reduce(force, sumOp<vector>());
-        reduce(torque, sumOp<vector>());
-        loads[b] = join(force, torque);
-    }
+    loads = bodyLoads(mesh(), rows, traction_);
     setFields(rows);
     return report;
+}
+
+
+void Foam::fsbi::fluidRegion::setRows(UList<bodyRows>& rows) const
+{
+    forAll(rows, b)
+    {
+        rows[b].faces = bodyFaces_[b];
+        rows[b].vertices = bodyVertices_[b];
+    }
 }
 
 

@@ -4,17 +4,37 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "scene.H"
+#include "elasticCoupling.H"
 #include "Time.H"
 #include "untrapped.H"
 
-bool Foam::fsbi::scene::solveFluid()
+namespace Foam
 {
-    const untrapped scope;
+namespace fsbi
+{
+
+//- Corrections of a step before it is taken for one that does not converge
+static const label maxCorrections = 15;
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::List<Foam::fsbi::bodyRows> Foam::fsbi::scene::bodyRowsNow() const
+{
     List<bodyRows> rows(bodies_.size());
     forAll(rows, b)
     {
         rows[b] = bodies_[b].rows(time_.value());
     }
+    return rows;
+}
+
+
+bool Foam::fsbi::scene::solveFluid()
+{
+    const untrapped scope;
+    List<bodyRows> rows(bodyRowsNow());
     List<sixVector> loads;
     const label before = report_.iterations;
     report_ = fluid_->solve(rows, loads);
@@ -50,7 +70,110 @@ bool Foam::fsbi::scene::advance()
 {
     failure_.clear();
     report_ = solverReport();
-    return (!fluid_ || advanceFluid()) && advanceSolids();
+    return
+        !fluid_ ? advanceSolids()
+      : solids_.empty() ? advanceFluid()
+      : advanceCoupled();
+}
+
+
+bool Foam::fsbi::scene::advanceCoupled()
+{
+    const untrapped scope;
+    for (rigidBody& body : bodies_)
+    {
+        body.advance(time_.deltaTValue());
+    }
+    for (solidRegion& solid : solids_)
+    {
+        if (!solid.follow())
+        {
+            solid.forget();
+            solid.follow();
+        }
+    }
+    List<bodyRows> rows(bodyRowsNow());
+    return fluid_->follow(failure_) && correct(rows) && finish(rows);
+}
+
+
+bool Foam::fsbi::scene::correct(List<bodyRows>& rows)
+{
+    List<elasticRows*> elastic(solids_.size());
+    forAll(elastic, e)
+    {
+        elastic[e] = &solids_[e].rows();
+    }
+    label iterations = 0;
+    for (label i = 0; i <= maxCorrections; ++i)
+    {
+        report_ = fluid_->correct(rows, elastic, i == 0);
+        iterations += report_.iterations;
+        report_.iterations = iterations;
+        report_.corrections = i;
+        if (report_.converged || failed())
+        {
+            break;
+        }
+        for (solidRegion& solid : solids_)
+        {
+            solid.follow();
+        }
+        if (!fluid_->move(failure_))
+        {
+            return false;
+        }
+    }
+    if (!report_.converged && failure_.empty())
+    {
+        failure_ =
+            "fluid and bodies do not agree after "
+          + name(maxCorrections) + " corrections: the residual is "
+          + name(report_.residual);
+    }
+    return report_.converged;
+}
+
+
+bool Foam::fsbi::scene::failed()
+{
+    if (!std::isfinite(report_.residual))
+    {
+        failure_ = "the solution is not finite: the scene has numbers that are"
+            " too large, or cells that are too thin";
+    }
+    else if (report_.failure.size())
+    {
+        failure_ = report_.failure;
+    }
+    return failure_.size();
+}
+
+
+bool Foam::fsbi::scene::finish(const List<bodyRows>& rows)
+{
+    List<elasticRows*> elastic(solids_.size());
+    forAll(elastic, e)
+    {
+        elastic[e] = &solids_[e].rows();
+    }
+    List<sixVector> loads;
+    fluid_->finish(rows, elastic, loads);
+    forAll(rows, b)
+    {
+        bodies_[b].set(rows[b].velocity, loads[b]);
+    }
+    bool good = true;
+    forAll(solids_, e)
+    {
+        good =
+            good
+         && solids_[e].finish
+            (
+                surfaceForce(*elastic[e], fluid_->traction()), failure_
+            );
+    }
+    return good;
 }
 
 

@@ -34,6 +34,10 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
         {
             immersed_.append(&body);
         }
+        for (solidRegion& solid : solids_)
+        {
+            immersed_.append(&solid.surface());
+        }
         fluid_.reset
         (
             new fluidRegion
@@ -182,20 +186,14 @@ void Foam::fsbi::scene::readBody
     {
         bodies_.append(new rigidBody(body.keyword(), body.dict(), saved));
     }
-    else if (fluidGiven())
-    {
-        FatalIOErrorInFunction(body.dict())
-            << "Elastic body '" << body.keyword() << "' is in a scene with a"
-            << " fluid (constant/fluid/material), but elastic bodies are not"
-            << " yet coupled to the flow" << exit(FatalIOError);
-    }
     else
     {
         solids_.append
         (
             new solidRegion
             (
-                time_, timings_, body.keyword(), body.dict(), alone, saved
+                time_, timings_, body.keyword(), body.dict(), alone,
+                fluidGiven(), saved
             )
         );
     }

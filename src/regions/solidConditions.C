@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "solidConditions.H"
 #include "startField.H"
+#include "IStringStream.H"
 #include "supports.H"
 #include "tractionCondition.H"
 #include "symmetryFvPatchFields.H"
@@ -32,10 +33,23 @@ Foam::fsbi::solidConditions::solidConditions
 
 Foam::dictionary Foam::fsbi::solidConditions::fieldDictionary
 (
-    const fvMesh& mesh
+    const fvMesh& mesh, const bool optional
 )
 {
-    dictionary dict(startField(mesh.time(), mesh.name(), "D"));
+    dictionary dict
+    (
+        optional && !hasStartField(mesh.time(), mesh.name(), "D")
+      ? dictionary
+        (
+            IStringStream
+            (
+                "dimensions [0 1 0 0 0 0 0]; internalField uniform (0 0 0);"
+                "boundaryField"
+                "{ \".*\" { type traction; value uniform (0 0 0); } }"
+            )()
+        )
+      : startField(mesh.time(), mesh.name(), "D")
+    );
     dictionary& patches = dict.subDict("boundaryField");
     const wordList names(mesh.boundaryMesh().names());
     for (const entry& e : patches)
@@ -136,6 +150,41 @@ void Foam::fsbi::solidConditions::collect()
                 load.follower();
             SubField<scalar>(given_.pressure, pf.size(), startOf(pf)) =
                 load.pressure();
+        }
+    }
+    forAll(held_, i)
+    {
+        if (held_[i])
+        {
+            given_.faces[i] = Zero;
+            given_.follower[i] = Zero;
+            given_.pressure[i] = 0;
+        }
+    }
+}
+
+
+void Foam::fsbi::solidConditions::hold(const boolList& faces)
+{
+    held_ = faces;
+    forAll(held_, i)
+    {
+        if (held_[i])
+        {
+            given_.kinds[i] = solidBoundary::displacement;
+        }
+    }
+}
+
+
+void Foam::fsbi::solidConditions::addForce(const vectorField& force)
+{
+    forAll(force, i)
+    {
+        if (given_.kinds[i] == solidBoundary::traction)
+        {
+            given_.faces[i] +=
+                force[i]/mag(mesh_.faceAreas()[mesh_.nInternalFaces() + i]);
         }
     }
 }

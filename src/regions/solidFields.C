@@ -35,7 +35,10 @@ static FieldType zero
 } // End namespace Foam
 
 
-Foam::fsbi::solidFields::solidFields(const fvMesh& mesh, const bool saved)
+Foam::fsbi::solidFields::solidFields
+(
+    const fvMesh& mesh, const bool saved, const bool inFluid
+)
 :
     mesh_(mesh),
     stencil_(mesh),
@@ -62,7 +65,7 @@ Foam::fsbi::solidFields::solidFields(const fvMesh& mesh, const bool saved)
         D_.reset(new volVectorField(io, mesh));
         return;
     }
-    const dictionary dict(solidConditions::fieldDictionary(mesh));
+    const dictionary dict(solidConditions::fieldDictionary(mesh, inFluid));
     D_.reset(new volVectorField(io, mesh, dict));
 }
 

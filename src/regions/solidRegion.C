@@ -68,37 +68,69 @@ bool Foam::fsbi::solidRegion::evaluate()
 }
 
 
+Foam::scalarField Foam::fsbi::solidRegion::inertia() const
+{
+    // rho V a + (1 - w) R + w R_old = 0, a = coefficient u + known
+    const scalar share = 1/(1 - motion_->oldWeight());
+    return
+        share*motion_->accelerationCoeff()*material_->density()*volumes_;
+}
+
+
+Foam::vectorField Foam::fsbi::solidRegion::loads() const
+{
+    const scalar share = 1/(1 - motion_->oldWeight());
+    const scalarField masses(share*material_->density()*volumes_);
+    return
+        volumeForce()*volumes_
+      - masses*motion_->knownAcceleration()
+      - inertia()*movedCells_
+      - share*motion_->weighted(vectorField(mesh().nCells(), Zero));
+}
+
+
 bool Foam::fsbi::solidRegion::solve(solverReport& report, string& failure)
 {
     auto timer = timings_.measure("solve");
     const untrapped scope;
     conditions_->evaluate(movedFaces_);
-
-    // rho V a + (1 - w) R + w R_old = 0, a = coefficient u + known
-    const scalar share = 1/(1 - motion_->oldWeight());
-    const scalar coefficient = motion_->accelerationCoeff();
-    const scalarField masses(share*material_->density()*volumes_);
-    const scalarField mass(coefficient*masses);
-    const vectorField force
-    (
-        volumeForce()*volumes_
-      - masses*(motion_->knownAcceleration() + coefficient*movedCells_)
-      - share*motion_->weighted(vectorField(mesh().nCells(), Zero))
-    );
-    report = solver_->solve({conditions_->given(), force, mass}, x_);
+    report = solver_->solve({conditions_->given(), loads(), inertia()}, x_);
     failure = faultOf(report);
-    if (failure.empty() && !evaluate())
+    return failure.empty() && take(failure);
+}
+
+
+bool Foam::fsbi::solidRegion::take(string& failure)
+{
+    if (!evaluate())
     {
         failure =
             "body '" + name() + "' is turned inside out: the load of the step"
             " is too large";
+        return false;
     }
-    if (failure.empty())
-    {
-        setFields();
-        setMeasures();
-    }
-    return failure.empty();
+    setFields();
+    setMeasures();
+    return true;
+}
+
+
+bool Foam::fsbi::solidRegion::follow()
+{
+    const bool valid = evaluate();
+    wetted_->follow(rows_);
+    return valid;
+}
+
+
+bool Foam::fsbi::solidRegion::finish
+(
+    const vectorField& force, string& failure
+)
+{
+    fluidForce_ = gSum(force);
+    conditions_->addForce(force);
+    return take(failure);
 }
 
 
@@ -202,6 +234,10 @@ Foam::vector Foam::fsbi::solidRegion::reaction(const word& patch) const
 
 void Foam::fsbi::solidRegion::renewSolver()
 {
+    if (inFluid_)
+    {
+        return;     // the fluid's is renewed
+    }
     solver_.clear();
     solver_ = solidSolver::New(mesh(), elastic_(), material_(), controls());
 }
@@ -216,6 +252,14 @@ void Foam::fsbi::solidRegion::beginStep()
     if (oldStep_ > 0)
     {
         x_ += (dt/oldStep_)*increment_;
+    }
+    if (wetted_)
+    {
+        conditions_->evaluate(movedFaces_);
+        rows_.mass = inertia();
+        rows_.force = loads();
+        wetted_->beginStep(dt);
+        wetted_->setVelocity(rows_);
     }
     const string text
     (
@@ -232,6 +276,10 @@ void Foam::fsbi::solidRegion::beginStep()
 void Foam::fsbi::solidRegion::rewind()
 {
     motion_->rewind();
+    if (wetted_)
+    {
+        wetted_->rewind();
+    }
     x_ = oldX_;
     // a guess that may have been the reason
     increment_ = 0;
@@ -244,6 +292,10 @@ void Foam::fsbi::solidRegion::endStep()
     increment_ = x_ - oldX_;
     oldStep_ = time_.deltaTValue();
     addWork();
+    if (wetted_)
+    {
+        wetted_->endStep();
+    }
     elastic_->endStep();
     if (moves())
     {

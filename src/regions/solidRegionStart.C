@@ -15,6 +15,7 @@ Foam::fsbi::solidRegion::solidRegion
     const word& name,
     const dictionary& dict,
     const bool alone,
+    const bool inFluid,
     const dictionary& saved
 )
 :
@@ -35,6 +36,8 @@ Foam::fsbi::solidRegion::solidRegion
             )
         )
     ),
+    inFluid_(inFluid),
+    fluidForce_(Zero),
     oldStep_(0),
     volumeForce_(Zero),
     sumD_(Zero)
@@ -68,12 +71,20 @@ void Foam::fsbi::solidRegion::create(const bool saved)
     readFormulation();
     volumes_ = mesh().cellVolumes();
     centres_ = mesh().cellCentres();
-    fields_.reset(new solidFields(mesh(), saved));
+    fields_.reset(new solidFields(mesh(), saved, inFluid_));
     conditions_.reset
     (
         new solidConditions(mesh_(), fields_->D(), reference_)
     );
-    motion_ = motionScheme::New(mesh().d2dt2Scheme("d2dt2(D)"));
+    createMotion();
+    boolList held(conditions_->given().kinds.size(), false);
+    forAll(held, i)
+    {
+        held[i] =
+            conditions_->given().kinds[i] != solidBoundary::coupled
+         && body_.held(mesh().faceCentres()[mesh().nInternalFaces() + i]);
+    }
+    conditions_->hold(held);
     checkStatics();
 
     movedCells_.setSize(mesh().nCells(), Zero);
@@ -97,6 +108,32 @@ void Foam::fsbi::solidRegion::create(const bool saved)
     x_.setSize(elastic_->size(), 0);
     increment_ = x_;
     renewSolver();
+    if (inFluid_)
+    {
+        wetted_.reset(new wettedSurface(mesh(), held));
+        rows_.elastic = &elastic_();
+        rows_.given = &conditions_->given();
+        rows_.x = &x_;
+        wetted_->setSurface(rows_);
+    }
+}
+
+
+void Foam::fsbi::solidRegion::createMotion()
+{
+    // in a fluid, where viscosity stops everything at once, without a scheme
+    // there is no inertia
+    const dictionary given
+    (
+        mesh().schemesDict().subOrEmptyDict("d2dt2Schemes")
+    );
+    if (inFluid_ && !given.found("default") && !given.found("d2dt2(D)"))
+    {
+        ITstream none("d2dt2Schemes", tokenList());
+        motion_.reset(new steadyState(none));
+        return;
+    }
+    motion_ = motionScheme::New(mesh().d2dt2Scheme("d2dt2(D)"));
 }
 
 
@@ -112,6 +149,13 @@ void Foam::fsbi::solidRegion::readFormulation()
         )
     );
     formulation_ = elasticOperator::formulationNames[chosen];
+    if (inFluid_ && formulation_ != formulation::totalLagrangian)
+    {
+        FatalErrorInFunction
+            << "Body '" << name() << "' is in a fluid, where its 'formulation'"
+            << " must be totalLagrangian (the results are the same)"
+            << exit(FatalError);
+    }
     if (formulation_ != formulation::totalLagrangian)
     {
         reference_ = mesh().points();
@@ -127,7 +171,7 @@ bool Foam::fsbi::solidRegion::isStatic() const
 
 void Foam::fsbi::solidRegion::checkStatics() const
 {
-    if (isStatic())
+    if (isStatic() && !inFluid_)
     {
         conditions_->checkSupports();
     }
@@ -185,6 +229,10 @@ void Foam::fsbi::solidRegion::start()
         FatalErrorInFunction
             << "The displacement at the start in 0/" << name() << "/D turns"
             << " the body inside out" << exit(FatalError);
+    }
+    if (wetted_)
+    {
+        wetted_->start(rows_);
     }
     setFields();
     remember();

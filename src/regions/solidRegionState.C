@@ -29,6 +29,16 @@ void Foam::fsbi::solidRegion::visitState(const Visitor& visit)
             visit("motion." + name, field);
         }
     );
+    if (wetted_)
+    {
+        wetted_->fields
+        (
+            [&](const word& name, vectorField& field)
+            {
+                visit("surface." + name, field);
+            }
+        );
+    }
 }
 
 
@@ -71,6 +81,13 @@ void Foam::fsbi::solidRegion::save(dictionary& state) const
     dictionary motion;
     motion_->save(motion);
     state.set("motion", motion);
+    if (wetted_)
+    {
+        dictionary surface;
+        wetted_->save(surface);
+        state.set("surface", surface);
+        state.set("fluidForce", fluidForce_);
+    }
 }
 
 
@@ -94,6 +111,11 @@ void Foam::fsbi::solidRegion::restore(const dictionary& state)
     }
     const label size = x_.size();
     motion_->restore(state.subDict("motion"));
+    if (wetted_)
+    {
+        wetted_->restore(state.subDict("surface"));
+        fluidForce_ = state.get<vector>("fluidForce");
+    }
     visitState
     (
         [&](const word& name, auto& field)

@@ -8,6 +8,19 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "IFstream.H"
 #include "IStringStream.H"
 
+bool Foam::fsbi::hasStartField
+(
+    const Time& time,
+    const word& region,
+    const word& name
+)
+{
+    bool there = isFile(time.globalPath()/time.timeName()/region/name);
+    Pstream::scatter(there);
+    return there;
+}
+
+
 Foam::dictionary Foam::fsbi::startField
 (
     const Time& time,

@@ -5,12 +5,29 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "coupledSystem.H"
 #include "bodyCoupling.H"
+#include "elasticCoupling.H"
 #include "checkedDictionary.H"
 #include "Pstream.H"
 #include "PstreamReduceOps.H"
 
+namespace Foam
+{
+namespace fsbi
+{
+
 //- Growth of the iterations that makes a new hierarchy worth its price
-static const Foam::scalar renewAbove = 1.3;
+static const scalar renewAbove = 1.3;
+
+//- Accuracy of a correction's linear solution, until the last one needs less
+static const scalar forcing = 1e-3;
+
+//- Last linear solution over the tolerance
+static const scalar margin = 0.3;
+
+static const label maxHalvings = 8;
+
+} // End namespace fsbi
+} // End namespace Foam
 
 
 Foam::fsbi::coupledSystem::coupledSystem
@@ -22,9 +39,8 @@ Foam::fsbi::coupledSystem::coupledSystem
 :
     mesh_(mesh),
     stokes_(stokes),
-    preconditioner_(mesh, stokes),
     traction_(stokes.nBoundaryFaces(), Zero),
-    freshIterations_(0)
+    freshRate_(0)
 {
     const checkedDictionary entries(dict);
     entries.found("method");
@@ -37,10 +53,23 @@ Foam::fsbi::coupledSystem::coupledSystem
 }
 
 
-void Foam::fsbi::coupledSystem::createKrylov(const label nBodies)
+Foam::label Foam::fsbi::coupledSystem::nCellRows() const
+{
+    label n = 4*mesh_.nCells();
+    for (const elasticRows* body : elastic_)
+    {
+        n += body->elastic->size();
+    }
+    return n;
+}
+
+
+void Foam::fsbi::coupledSystem::createKrylov()
 {
     const label nCells = mesh_.nCells();
-    const label nRows = 4*nCells + (Pstream::master() ? 6*nBodies : 0);
+    const label nRows =
+        nCellRows() + (Pstream::master() ? 6*bodies_->size() : 0);
+    preconditioner_.reset(new stokesPreconditioner(mesh_, stokes_, elastic_));
     krylov_.reset
     (
         new matrixFreeKrylov
@@ -50,7 +79,8 @@ void Foam::fsbi::coupledSystem::createKrylov(const label nBodies)
             [this](const scalar* r, scalar* z){ precondition(r, z); }
         )
     );
-    if (!closed_)
+    // the pressure on an elastic body, held all around or not, is felt
+    if (!closed_ || elastic_.size())
     {
         return;
     }
@@ -65,6 +95,41 @@ void Foam::fsbi::coupledSystem::createKrylov(const label nBodies)
 }
 
 
+void Foam::fsbi::coupledSystem::set
+(
+    const boundaryValues& given,
+    const vectorField& force,
+    UList<bodyRows>& bodies,
+    const UList<elasticRows*>& elastic
+)
+{
+    given_ = &given;
+    force_ = &force;
+    bodies_ = &bodies;
+    elastic_ = elastic;
+    values_ = given;
+    scales_ = rowScales(stokes_, bodies, elastic);
+    const label n = nCellRows();
+    state_.setSize(n);
+    result_.setSize(n + (Pstream::master() ? 6*bodies.size() : 0));
+    if (!krylov_)
+    {
+        createKrylov();
+    }
+    scalar rate = 0;
+    for (const elasticRows* body : elastic)
+    {
+        rate += body->rate;
+    }
+    if (!freshRate_ || mag(rate - rate_) > 0.1*rate_)
+    {
+        preconditioner_->rebuild();
+        freshRate_ = 0;
+        rate_ = rate;
+    }
+}
+
+
 Foam::List<Foam::fsbi::sixVector>
 Foam::fsbi::coupledSystem::readBodies(const scalar* x) const
 {
@@ -73,7 +138,7 @@ Foam::fsbi::coupledSystem::readBodies(const scalar* x) const
     {
         if (Pstream::master())
         {
-            std::copy_n(x + 4*mesh_.nCells() + 6*b, 6, v[b].begin());
+            std::copy_n(x + nCellRows() + 6*b, 6, v[b].begin());
         }
         MPI_Bcast(v[b].data(), 6, MPI_DOUBLE, 0, PETSC_COMM_WORLD);
     }
@@ -89,8 +154,133 @@ void Foam::fsbi::coupledSystem::writeBodies
 {
     for (label b = 0; Pstream::master() && b < v.size(); ++b)
     {
-        std::copy_n(v[b].begin(), 6, x + 4*mesh_.nCells() + 6*b);
+        std::copy_n(v[b].begin(), 6, x + nCellRows() + 6*b);
     }
+}
+
+
+Foam::scalarList Foam::fsbi::coupledSystem::packed(const scalarList& x) const
+{
+    scalarList unknown(result_.size());
+    scalar* at = std::copy_n(x.begin(), 4*mesh_.nCells(), unknown.begin());
+    for (const elasticRows* body : elastic_)
+    {
+        at = std::copy(body->x->begin(), body->x->end(), at);
+    }
+    List<sixVector> v(bodies_->size());
+    forAll(v, b)
+    {
+        v[b] = (*bodies_)[b].velocity;
+    }
+    writeBodies(v, unknown.begin());
+    return unknown;
+}
+
+
+void Foam::fsbi::coupledSystem::unpack
+(
+    const scalarList& unknown, scalarList& x
+)
+{
+    const label n = 4*mesh_.nCells();
+    std::copy_n(unknown.begin(), n, x.begin());
+    const scalar* at = unknown.begin() + n;
+    for (elasticRows* body : elastic_)
+    {
+        std::copy_n(at, body->x->size(), body->x->begin());
+        at += body->x->size();
+    }
+    const List<sixVector> v(readBodies(unknown.cdata()));
+    forAll(v, b)
+    {
+        (*bodies_)[b].velocity = v[b];
+    }
+}
+
+
+Foam::scalar Foam::fsbi::coupledSystem::norm(const scalarList& rows)
+{
+    scalar sum = 0;
+    for (const scalar r : rows)
+    {
+        sum += r*r;
+    }
+    return sqrt(returnReduce(sum, sumOp<scalar>()));
+}
+
+
+void Foam::fsbi::coupledSystem::fluidResidual
+(
+    const scalar* x,
+    scalar* r,
+    const bool homogeneous
+) const
+{
+    stokes_.residual(x, values_, r, traction_);
+    if (!homogeneous)
+    {
+        forAll(*force_, i)
+        {
+            for (label k = 0; k < 3; ++k)
+            {
+                r[4*i + k] -= (*force_)[i][k];
+            }
+        }
+    }
+}
+
+
+void Foam::fsbi::coupledSystem::elasticResiduals
+(
+    const scalar* x,
+    scalar* r,
+    const bool homogeneous
+) const
+{
+    for (const elasticRows* body : elastic_)
+    {
+        elasticOperator& elastic = *body->elastic;
+        homogeneous
+          ? elastic.tangent(x, r)
+          : elastic.residual(x, *body->given, r);
+        forAll(body->mass, i)
+        {
+            for (label k = 0; k < 3; ++k)
+            {
+                r[3*i + k] +=
+                    body->mass[i]*x[3*i + k]
+                  - (homogeneous ? 0 : body->force[i][k]);
+            }
+        }
+        setSurfaceVelocity(*body, homogeneous, values_);
+        x += elastic.size();
+        r += elastic.size();
+    }
+}
+
+
+void Foam::fsbi::coupledSystem::bodyResiduals
+(
+    const UList<sixVector>& v,
+    scalar* r,
+    const bool homogeneous
+) const
+{
+    List<sixVector> defects
+    (
+        bodyDefects
+        (
+            *bodies_, v, bodyLoads(mesh_, *bodies_, traction_), homogeneous
+        )
+    );
+    forAll(defects, b)
+    {
+        forAll(defects[b], k)
+        {
+            defects[b][k] *= -scales_.bodies()[b][k];
+        }
+    }
+    writeBodies(defects, r);
 }
 
 
@@ -111,37 +301,19 @@ void Foam::fsbi::coupledSystem::residual
         values_.faces = given_->faces;
         values_.vertices = given_->vertices;
     }
+    const label n = 4*mesh_.nCells();
     const List<sixVector> v(readBodies(x));
     setBodyVelocities(stokes_, *bodies_, v, values_);
-
-    stokes_.residual(x, values_, r, traction_);
-    if (!homogeneous)
+    elasticResiduals(x + n, r + n, homogeneous);
+    fluidResidual(x, r, homogeneous);
+    scalar* row = r + n;
+    for (const elasticRows* body : elastic_)
     {
-        forAll(*force_, i)
-        {
-            for (label k = 0; k < 3; ++k)
-            {
-                r[4*i + k] -= (*force_)[i][k];
-            }
-        }
+        body->elastic->addLoad(surfaceForce(*body, traction_), row);
+        row += body->elastic->size();
     }
     scales_.apply(r);
-
-    List<sixVector> bodyR
-    (
-        bodyDefects
-        (
-            *bodies_, v, bodyLoads(mesh_, *bodies_, traction_), homogeneous
-        )
-    );
-    forAll(bodyR, b)
-    {
-        forAll(bodyR[b], k)
-        {
-            bodyR[b][k] *= -scales_.bodies()[b][k];
-        }
-    }
-    writeBodies(bodyR, r);
+    bodyResiduals(v, r, homogeneous);
 }
 
 
@@ -170,7 +342,7 @@ void Foam::fsbi::coupledSystem::precondition
         for (const label i : (*bodies_)[b].faces)
         {
             const label facei = mesh_.nInternalFaces() + i;
-            const scalar k = preconditioner_.wallCoeff(i);
+            const scalar k = stokes_.wallCoeff(i);
             const vector& u = values_.faces[i];
             scalar* row = state_.begin() + 4*mesh_.faceOwner()[facei];
             row[0] += k*u.x();
@@ -180,8 +352,25 @@ void Foam::fsbi::coupledSystem::precondition
         }
     }
 
-    preconditioner_.apply(state_.cdata(), z);
+    preconditioner_->apply(state_.cdata(), z);
     writeBodies(v, z);
+}
+
+
+void Foam::fsbi::coupledSystem::watch
+(
+    const label iterations, const scalar accuracy
+)
+{
+    const scalar rate = max(iterations, 1)/log10(1/accuracy);
+    if (!freshRate_)
+    {
+        freshRate_ = rate;
+    }
+    else if (rate > renewAbove*freshRate_)
+    {
+        freshRate_ = 0;                 // the next solution builds a new one
+    }
 }
 
 
@@ -194,22 +383,7 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSystem::solve
     vectorField& traction
 )
 {
-    const label n = mesh_.nCells();
-    given_ = &given;
-    force_ = &force;
-    bodies_ = &bodies;
-    values_ = given;
-    scales_ = rowScales(stokes_, bodies);
-    state_.setSize(4*n);
-    result_.setSize(4*n + (Pstream::master() ? 6*bodies.size() : 0));
-    if (!krylov_)
-    {
-        createKrylov(bodies.size());
-    }
-    if (!freshIterations_)
-    {
-        preconditioner_.rebuild();
-    }
+    set(given, force, bodies, UList<elasticRows*>());
 
     // right-hand side: minus the residual at rest
     scalarList rhs(result_.size());
@@ -219,15 +393,7 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSystem::solve
     {
         rhs[i] = -rhs[i];
     }
-
-    List<sixVector> v(bodies.size());
-    forAll(v, b)
-    {
-        v[b] = bodies[b].velocity;
-    }
-    scalarList unknown(result_.size());
-    std::copy_n(x.begin(), 4*n, unknown.begin());
-    writeBodies(v, unknown.begin());
+    scalarList unknown(packed(x));
 
     const matrixFreeKrylov::outcome outcome
     (
@@ -242,21 +408,91 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSystem::solve
     report.converged = outcome.converged;
 
     residual(unknown.cdata(), result_.data(), false);
-    v = readBodies(unknown.cdata());
-    std::copy_n(unknown.begin(), 4*n, x.begin());
-    forAll(v, b)
+    unpack(unknown, x);
+    traction = traction_;
+    watch(report.iterations, tolerance_);
+    return report;
+}
+
+
+bool Foam::fsbi::coupledSystem::advance
+(
+    const scalarList& dx, scalarList& unknown
+)
+{
+    scalar part = 1;
+    for (label halving = 0; halving < maxHalvings; ++halving)
     {
-        bodies[b].velocity = v[b];
+        scalarList tried(unknown);
+        forAll(tried, i)
+        {
+            tried[i] -= part*dx[i];
+        }
+        const label n = 4*mesh_.nCells();
+        elasticResiduals(tried.cdata() + n, result_.begin() + n, false);
+        bool valid = true;
+        for (const elasticRows* body : elastic_)
+        {
+            valid = valid && body->elastic->valid();
+        }
+        if (valid)
+        {
+            unknown = tried;
+            return true;
+        }
+        part /= 2;
     }
+    return false;
+}
+
+
+Foam::fsbi::solverReport Foam::fsbi::coupledSystem::correct
+(
+    const boundaryValues& given,
+    const vectorField& force,
+    UList<bodyRows>& bodies,
+    const UList<elasticRows*>& elastic,
+    const bool first,
+    scalarList& x,
+    vectorField& traction
+)
+{
+    set(given, force, bodies, elastic);
+    scalarList unknown(packed(x));
+    if (first)
+    {
+        // relative to the fluid and rigid bodies at rest
+        scalarList rest(unknown);
+        std::fill_n(rest.begin(), 4*mesh_.nCells(), scalar(0));
+        writeBodies(List<sixVector>(bodies.size(), sixVector(Zero)), rest.begin());
+        residual(rest.cdata(), result_.begin(), false);
+        scale_ = norm(result_);
+    }
+    residual(unknown.cdata(), result_.begin(), false);
     traction = traction_;
 
-    if (!freshIterations_)
+    solverReport report;
+    report.corrections = 0;
+    const scalar size = norm(result_);
+    report.residual = size/max(scale_, VSMALL);
+    report.converged = report.residual <= tolerance_;
+    if (report.converged || !std::isfinite(report.residual))
     {
-        freshIterations_ = max(report.iterations, 1);
+        return report;
     }
-    else if (report.iterations > renewAbove*freshIterations_)
+    const scalarList rhs(result_);
+    scalarList dx(rhs.size(), Zero);
+    const scalar accuracy = max(margin*tolerance_*scale_/size, forcing);
+    report.iterations = krylov_->solve
+    (
+        rhs.cdata(), dx.begin(), accuracy, maxIterations_
+    ).iterations;
+    watch(report.iterations, accuracy);
+    report.corrections = 1;
+    if (!advance(dx, unknown))
     {
-        freshIterations_ = 0;           // the next solution builds a new one
+        report.failure = "a cell is turned inside out";
     }
+    unpack(unknown, x);
     return report;
 }

@@ -15,7 +15,6 @@ Foam::fsbi::elasticPreconditioner::elasticPreconditioner
 :
     mesh_(mesh),
     elastic_(elastic),
-    material_(material),
     stencil_(elastic.stencil()),
     vertices_(mesh, elastic, material),
     pressure_(elastic.mixed() ? mesh.nPoints() : 0, Zero),
@@ -146,23 +145,14 @@ void Foam::fsbi::elasticPreconditioner::addPressures
     pressure_ = Zero;
     forAll(owned, i)
     {
-        const scalar compliance =
-            1/material_.lambda() + 1/(2*material_.mu());
         z[start + i] =
             r[start + i]
-           /(stencil_.vertexVolume()[owned[i]]*compliance);
+           /(stencil_.vertexVolume()[owned[i]]*elastic_.compliance());
         pressure_[owned[i]] = z[start + i];
     }
     sharedVertices::sum<1>(mesh_, pressure_.begin(), stencil_.halo().size());
     for (label i = 0; i < stencil_.nFaces(); ++i)
     {
-        scalar mean = 0;
-        const label first = stencil_.faceStart()[i];
-        const label end = stencil_.faceStart()[i + 1];
-        for (label j = first; j < end; ++j)
-        {
-            mean += pressure_[stencil_.faceVertex()[j]]/(end - first);
-        }
         const label g = i - stencil_.firstBoundary();
         if
         (
@@ -171,7 +161,10 @@ void Foam::fsbi::elasticPreconditioner::addPressures
          != solidBoundary::traction
         )
         {
-            const vector force(mean*stencil_.area()[i]);
+            const vector force
+            (
+                elastic_.faceMean(i, pressure_)*stencil_.area()[i]
+            );
             rhs_[stencil_.owner()[i]] -= force;
             if (stencil_.neighbour()[i] < mesh_.nCells())
             {

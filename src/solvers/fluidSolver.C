@@ -27,3 +27,21 @@ Foam::autoPtr<Foam::fsbi::fluidSolver> Foam::fsbi::fluidSolver::New
     }
     return autoPtr<fluidSolver>(new coupledSystem(mesh, stokes, dict));
 }
+
+
+Foam::fsbi::solverReport Foam::fsbi::fluidSolver::correct
+(
+    const boundaryValues&,
+    const vectorField&,
+    UList<bodyRows>&,
+    const UList<elasticRows*>&,
+    const bool,
+    scalarList&,
+    vectorField&
+)
+{
+    FatalErrorInFunction
+        << "Elastic bodies in a flow need method 'coupled' in 'coupling' of"
+        << " system/fluid/fvSolution" << exit(FatalError);
+    return solverReport();
+}

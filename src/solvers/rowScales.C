@@ -9,7 +9,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Foam::fsbi::rowScales::rowScales
 (
     const stokesOperator& stokes,
-    const UList<bodyRows>& bodies
+    const UList<bodyRows>& bodies,
+    const UList<elasticRows*>& elastic
 )
 :
     momentum_(stokes.diagonal().size()),
@@ -36,6 +37,13 @@ Foam::fsbi::rowScales::rowScales
                 (k < 3 ? 1 : a)/(body.free[k] ? (k < 3 ? drag : spin) : 1);
         }
     }
+    for (const elasticRows* body : elastic)
+    {
+        for (const scalar s : body->elastic->rowScale(body->mass))
+        {
+            elastic_.append(s*body->rate);
+        }
+    }
 }
 
 
@@ -48,6 +56,10 @@ void Foam::fsbi::rowScales::apply(scalar* r) const
         r[4*i + 2] *= momentum_[i];
         r[4*i + 3] *= continuity_[i];
     }
+    forAll(elastic_, i)
+    {
+        r[4*momentum_.size() + i] *= elastic_[i];
+    }
 }
 
 
@@ -59,5 +71,10 @@ void Foam::fsbi::rowScales::undo(const scalar* scaled, scalar* r) const
         r[4*i + 1] = scaled[4*i + 1]/momentum_[i];
         r[4*i + 2] = scaled[4*i + 2]/momentum_[i];
         r[4*i + 3] = scaled[4*i + 3]/continuity_[i];
+    }
+    const label n = 4*momentum_.size();
+    forAll(elastic_, i)
+    {
+        r[n + i] = scaled[n + i]/elastic_[i];
     }
 }

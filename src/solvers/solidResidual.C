@@ -24,30 +24,7 @@ Foam::fsbi::solidResidual::solidResidual
 void Foam::fsbi::solidResidual::setProblem(const solidProblem& problem)
 {
     problem_ = &problem;
-    const elasticStencil& stencil = elastic_.stencil();
-    const label nCells = mesh_.nCells();
-    scalarField stiffness(stencil.nColumns(), Zero);
-    for (label i = 0; i < stencil.nFaces(); ++i)
-    {
-        const scalar k = elastic_.stiffness()*stencil.compact()[i];
-        stiffness[stencil.owner()[i]] += k;
-        stiffness[stencil.neighbour()[i]] += k;
-    }
-    forAll(problem.mass, celli)
-    {
-        std::fill_n
-        (
-            scale_.begin() + 3*celli, 3,
-            1/(stiffness[celli] + problem.mass[celli])
-        );
-    }
-    std::fill_n(scale_.begin() + 3*nCells, 3*stencil.nGhosts(), scalar(1));
-    const label firstPressure = 3*(nCells + stencil.nGhosts());
-    forAll(elastic_.ownedVertices(), i)
-    {
-        const scalar V = stencil.vertexVolume()[elastic_.ownedVertices()[i]];
-        scale_[firstPressure + i] = cbrt(V)/V;
-    }
+    scale_ = elastic_.rowScale(problem.mass);
     size_ = 0;
 
     // a linear law sees the gradient, others see 1 + gradient

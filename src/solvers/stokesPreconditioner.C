@@ -9,52 +9,31 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Foam::fsbi::stokesPreconditioner::stokesPreconditioner
 (
     const fvMesh& mesh,
-    const stokesOperator& stokes
+    const stokesOperator& stokes,
+    const UList<elasticRows*>& elastic
 )
 :
     mesh_(mesh),
     stokes_(stokes),
+    nRows_(mesh.nCells()),
     pressure_(mesh.nCells() + stokes.stencil().halo().size())
 {
-    createMatrix();
+    for (const elasticRows* body : elastic)
+    {
+        elastic_.append(new elasticBlock(*body, stokes, nRows_));
+        elasticSize_.append(body->elastic->size());
+        nRows_ += elastic_.last().nRows();
+    }
+    velocity_.setSize(nRows_);
 }
 
 
-void Foam::fsbi::stokesPreconditioner::createMatrix()
+void Foam::fsbi::stokesPreconditioner::createMatrix
+(
+    const compactEntries& entries
+)
 {
-    const meshStencil& stencil = stokes_.stencil();
-    const globalIndex global(mesh_.nCells());
-
-    scalarList cell(pressure_.size());
-    for (label i = 0; i < mesh_.nCells(); ++i)
-    {
-        cell[i] = global.toGlobal(i);
-    }
-    stencil.halo().fill(cell.data(), 1);
-
-    // one row entry a cell, then two or four a face, as setMatrix() fills them
-    DynamicList<PetscInt> rows, columns;
-    const auto add = [&](const label row, const label column)
-    {
-        rows.append(PetscInt(cell[row]));
-        columns.append(PetscInt(cell[column]));
-    };
-    for (label i = 0; i < mesh_.nCells(); ++i)
-    {
-        add(i, i);
-    }
-    forAll(stencil.owner(), i)
-    {
-        const label P = stencil.owner()[i];
-        const label N = stencil.neighbour()[i];
-        add(P, N);
-        if (N < mesh_.nCells())
-        {
-            add(N, P);
-        }
-    }
-
-    const PetscInt n = mesh_.nCells();
+    const PetscInt n = nRows_;
     petscCheck(MatCreate(PETSC_COMM_WORLD, matrix_.create()));
     petscCheck(MatSetSizes(matrix_, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
     petscCheck(MatSetType(matrix_, MATAIJ));
@@ -62,7 +41,9 @@ void Foam::fsbi::stokesPreconditioner::createMatrix()
     (
         MatSetPreallocationCOO
         (
-            matrix_, rows.size(), rows.data(), columns.data()
+            matrix_, entries.rows.size(),
+            const_cast<PetscInt*>(entries.rows.cdata()),
+            const_cast<PetscInt*>(entries.columns.cdata())
         )
     );
     petscCheck(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
@@ -70,22 +51,18 @@ void Foam::fsbi::stokesPreconditioner::createMatrix()
 }
 
 
-Foam::scalar Foam::fsbi::stokesPreconditioner::wallCoeff(const label i) const
-{
-    const label facei = mesh_.nInternalFaces() + i;
-    const label P = mesh_.faceOwner()[facei];
-    const vector& S = mesh_.faceAreas()[facei];
-    const vector db(mesh_.faceCentres()[facei] - mesh_.cellCentres()[P]);
-    return stokes_.mu()*magSqr(S)/(S & db);
-}
-
-
-void Foam::fsbi::stokesPreconditioner::setMatrix()
+void Foam::fsbi::stokesPreconditioner::addFluid
+(
+    const globalIndex& rows, compactEntries& entries
+) const
 {
     const meshStencil& stencil = stokes_.stencil();
-    DynamicList<PetscScalar> entries(mesh_.nCells() + 2*stencil.owner().size());
-    entries.setSize(mesh_.nCells(), 0);
-
+    scalarList column(pressure_.size());
+    for (label i = 0; i < mesh_.nCells(); ++i)
+    {
+        column[i] = rows.toGlobal(i);
+    }
+    stencil.halo().fill(column.data(), 1);
     forAll(stencil.owner(), i)
     {
         const faceGradient face
@@ -94,13 +71,12 @@ void Foam::fsbi::stokesPreconditioner::setMatrix()
             stencil.fromNeighbour()[i]
         );
         const scalar k = stokes_.mu()*face.compact();
+        const label P = stencil.owner()[i];
         const label N = stencil.neighbour()[i];
-        entries[stencil.owner()[i]] += k;
-        entries.append(-k);
+        entries.link(column[P], column[N], k);
         if (N < mesh_.nCells())
         {
-            entries[N] += k;
-            entries.append(-k);
+            entries.link(column[N], column[P], k);
         }
     }
     forAll(stokes_.velocityGiven(), i)
@@ -108,10 +84,27 @@ void Foam::fsbi::stokesPreconditioner::setMatrix()
         if (stokes_.velocityGiven()[i])
         {
             const label facei = mesh_.nInternalFaces() + i;
-            entries[mesh_.faceOwner()[facei]] += wallCoeff(i);
+            const label row = column[mesh_.faceOwner()[facei]];
+            entries.add(row, row, stokes_.wallCoeff(i));
         }
     }
-    petscCheck(MatSetValuesCOO(matrix_, entries.data(), INSERT_VALUES));
+}
+
+
+void Foam::fsbi::stokesPreconditioner::setMatrix()
+{
+    const globalIndex rows(nRows_);
+    compactEntries entries;
+    addFluid(rows, entries);
+    for (elasticBlock& body : elastic_)
+    {
+        body.addEntries(rows, entries);
+    }
+    if (!matrix_)
+    {
+        createMatrix(entries);
+    }
+    petscCheck(MatSetValuesCOO(matrix_, entries.values.data(), INSERT_VALUES));
 }
 
 
@@ -146,22 +139,24 @@ void Foam::fsbi::stokesPreconditioner::apply
     }
     stencil.halo().fill(pressure_.data(), 1);
 
-    // r_u - G z_p, gathered in z
-    std::copy_n(r, 4*n, z);
+    // r_u - G z_p
+    vectorField& force = velocity_;
+    for (label i = 0; i < n; ++i)
+    {
+        force[i] = vector(r[4*i], r[4*i + 1], r[4*i + 2]);
+    }
     forAll(stencil.owner(), i)
     {
-        const vector& S = stencil.area()[i];
         const label P = stencil.owner()[i];
         const label N = stencil.neighbour()[i];
-        const vector force(0.5*(pressure_[P] + pressure_[N])*S);
-        z[4*P] -= force.x();
-        z[4*P + 1] -= force.y();
-        z[4*P + 2] -= force.z();
+        const vector push
+        (
+            0.5*(pressure_[P] + pressure_[N])*stencil.area()[i]
+        );
+        force[P] -= push;
         if (N < n)
         {
-            z[4*N] += force.x();
-            z[4*N + 1] += force.y();
-            z[4*N + 2] += force.z();
+            force[N] += push;
         }
     }
     forAll(stokes_.velocityGiven(), i)
@@ -170,19 +165,34 @@ void Foam::fsbi::stokesPreconditioner::apply
         {
             const label facei = mesh_.nInternalFaces() + i;
             const label P = mesh_.faceOwner()[facei];
-            const vector force(pressure_[P]*mesh_.faceAreas()[facei]);
-            z[4*P] -= force.x();
-            z[4*P + 1] -= force.y();
-            z[4*P + 2] -= force.z();
+            force[P] -= pressure_[P]*mesh_.faceAreas()[facei];
         }
+    }
+    label start = 4*n;
+    forAll(elastic_, e)
+    {
+        elastic_[e].begin(r + start, pressure_, z + start, force);
+        start += elasticSize_[e];
     }
 
     for (label k = 0; k < 3; ++k)
     {
-        solveComponent(cycle_, source_, solution_, 4, z + k);
+        solveComponent
+        (
+            cycle_, source_, solution_, 3, velocity_.begin()->v_ + k
+        );
     }
     for (label i = 0; i < n; ++i)
     {
+        z[4*i] = velocity_[i].x();
+        z[4*i + 1] = velocity_[i].y();
+        z[4*i + 2] = velocity_[i].z();
         z[4*i + 3] = pressure_[i];
+    }
+    start = 4*n;
+    forAll(elastic_, e)
+    {
+        elastic_[e].end(r + start, velocity_, z + start);
+        start += elasticSize_[e];
     }
 }

@@ -132,6 +132,37 @@ Foam::scalar Foam::fsbi::elasticOperator::stiffness() const
 }
 
 
+Foam::scalarList Foam::fsbi::elasticOperator::rowScale
+(
+    const scalarField& mass
+) const
+{
+    const label nCells = mesh_.nCells();
+    scalarField stiff(stencil_.nColumns(), Zero);
+    for (label i = 0; i < stencil_.nFaces(); ++i)
+    {
+        const scalar k = stiffness()*stencil_.compact()[i];
+        stiff[stencil_.owner()[i]] += k;
+        stiff[stencil_.neighbour()[i]] += k;
+    }
+    scalarList scale(size(), scalar(1));
+    for (label celli = 0; celli < nCells; ++celli)
+    {
+        std::fill_n
+        (
+            scale.begin() + 3*celli, 3, 1/(stiff[celli] + mass[celli])
+        );
+    }
+    const label firstPressure = 3*(nCells + nGhosts());
+    forAll(ownedVertices_, i)
+    {
+        const scalar V = stencil_.vertexVolume()[ownedVertices_[i]];
+        scale[firstPressure + i] = cbrt(V)/V;
+    }
+    return scale;
+}
+
+
 void Foam::fsbi::elasticOperator::gather
 (
     const scalar* x, vectorField& values
@@ -414,8 +445,10 @@ bool Foam::fsbi::elasticOperator::valid() const
 }
 
 
-Foam::tmp<Foam::vectorField>
-Foam::fsbi::elasticOperator::vertexDisplacement() const
+Foam::tmp<Foam::vectorField> Foam::fsbi::elasticOperator::atVertices
+(
+    const vectorField& values
+) const
 {
     auto result = tmp<vectorField>::New(mesh_.nPoints(), Zero);
     vectorField& u = result.ref();
@@ -429,11 +462,25 @@ Foam::fsbi::elasticOperator::vertexDisplacement() const
         )
         {
             u[v] +=
-                stencil_.valueWeight()[j]*values_[stencil_.vertexColumn()[j]];
+                stencil_.valueWeight()[j]*values[stencil_.vertexColumn()[j]];
         }
     }
     sharedVertices::sum<3>(mesh_, u.begin()->v_, stencil_.halo().size());
     return result;
+}
+
+
+Foam::tmp<Foam::vectorField>
+Foam::fsbi::elasticOperator::vertexDisplacement() const
+{
+    return atVertices(values_);
+}
+
+
+Foam::tmp<Foam::vectorField>
+Foam::fsbi::elasticOperator::vertexIncrement() const
+{
+    return atVertices(dValues_);
 }
 
 

@@ -117,15 +117,8 @@ void Foam::fsbi::elasticOperator::addBoundary
             }
             case solidBoundary::traction:
             {
-                const vector n(normalised(stencil_.area()[i]));
-                const vector excess
-                (
-                    (force[g] - load[g])/stencil_.compact()[i]
-                );
                 row[P] -= load[g];
-                ghostRow[g] =
-                    (excess - n*(n & excess))/material_.mu()
-                  + n*(n & excess)/normalStiffness();
+                ghostRow[g] = this->ghostRow(g, force[g] - load[g]);
                 break;
             }
             default:
@@ -150,22 +143,87 @@ Foam::tmp<Foam::vectorField> Foam::fsbi::elasticOperator::boundaryForce() const
 }
 
 
-Foam::tmp<Foam::vectorField>
-Foam::fsbi::elasticOperator::boundaryDisplacement() const
+Foam::tmp<Foam::vectorField> Foam::fsbi::elasticOperator::atBoundary
+(
+    const vectorField& values, const tensorField& gradient
+) const
 {
     auto result = tmp<vectorField>::New(kinds_.size(), Zero);
     for (label g = 0; g < nGhosts(); ++g)
     {
         const label i = stencil_.firstBoundary() + g;
         const label P = stencil_.owner()[i];
-        const vector& uP = values_[P];
-        const vector& uG = values_[stencil_.neighbour()[i]];
-        const tensor slope(cellMean(P, gradient_));
+        const vector& uP = values[P];
+        const vector& uG = values[stencil_.neighbour()[i]];
+        const tensor slope(cellMean(P, gradient));
         result.ref()[stencil_.ghostFaces()[g]] =
             0.25*(3*uP + uG) + (slope & footToFace(g))
           + 0.25*(slope & stencil_.delta()[i]);
     }
     return result;
+}
+
+
+Foam::tmp<Foam::vectorField>
+Foam::fsbi::elasticOperator::boundaryDisplacement() const
+{
+    return atBoundary(values_, gradient_);
+}
+
+
+Foam::tmp<Foam::vectorField>
+Foam::fsbi::elasticOperator::boundaryIncrement() const
+{
+    return atBoundary(dValues_, dGradient_);
+}
+
+
+Foam::vector Foam::fsbi::elasticOperator::ghostRow
+(
+    const label ghost, const vector& force
+) const
+{
+    const label i = stencil_.firstBoundary() + ghost;
+    const vector n(normalised(stencil_.area()[i]));
+    const vector excess(force/stencil_.compact()[i]);
+    return
+        (excess - n*(n & excess))/material_.mu()
+      + n*(n & excess)/normalStiffness();
+}
+
+
+Foam::vector Foam::fsbi::elasticOperator::ghostForce
+(
+    const label ghost, const vector& row
+) const
+{
+    const label i = stencil_.firstBoundary() + ghost;
+    const vector n(normalised(stencil_.area()[i]));
+    return
+        stencil_.compact()[i]
+       *(
+            material_.mu()*(row - n*(n & row))
+          + normalStiffness()*n*(n & row)
+        );
+}
+
+
+void Foam::fsbi::elasticOperator::addLoad
+(
+    const vectorField& force, scalar* r
+) const
+{
+    vector* row = reinterpret_cast<vector*>(r);
+    for (label g = 0; g < nGhosts(); ++g)
+    {
+        const label b = stencil_.ghostFaces()[g];
+        if (kinds_[b] == solidBoundary::traction)
+        {
+            const label i = stencil_.firstBoundary() + g;
+            row[stencil_.owner()[i]] -= force[b];
+            row[mesh_.nCells() + g] -= ghostRow(g, force[b]);
+        }
+    }
 }
 
 

@@ -40,6 +40,12 @@ Foam::fsbi::Fornberg::Fornberg(ITstream& entry)
 }
 
 
+Foam::fsbi::Fornberg::Fornberg(const label order)
+:
+    order_(order)
+{}
+
+
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
 
 namespace
@@ -185,6 +191,12 @@ void Foam::fsbi::Fornberg::start
     {
         history_.push_back({0, 2, a0});
     }
+}
+
+
+void Foam::fsbi::Fornberg::start(const vectorField& u0)
+{
+    history_ = {{0, 0, u0}};
 }
 
 

@@ -1,0 +1,86 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "fluidRegion.H"
+#include "bodyCoupling.H"
+#include "elasticCoupling.H"
+#include "wettedSurface.H"
+
+Foam::fsbi::surfaceSide Foam::fsbi::fluidRegion::sideOf(const label b) const
+{
+    surfaceSide side
+    (
+        wettedSurface::sideOf
+        (
+            mesh(), mesh().boundaryMesh()[mesh_.bodyPatch(b)],
+            mesh_.bodies()[b].placedSurface()
+        )
+    );
+    // points as positions in the list of wall vertices
+    const labelList& wall = stokes_->wallVertices();
+    labelList position(mesh().nPoints(), -1);
+    forAll(wall, i)
+    {
+        position[wall[i]] = i;
+    }
+    for (label& v : side.points)
+    {
+        v = position[v];
+    }
+    return side;
+}
+
+
+Foam::fsbi::solverReport Foam::fsbi::fluidRegion::correct
+(
+    UList<bodyRows>& rows,
+    const UList<elasticRows*>& elastic,
+    const bool first
+)
+{
+    auto timer = timings_.measure("solve");
+    setRows(rows);
+    forAll(elastic, e)
+    {
+        if (elastic[e]->generation != mesh_.generation())
+        {
+            elastic[e]->fluid = sideOf(rows.size() + e);
+            elastic[e]->generation = mesh_.generation();
+        }
+    }
+    conditions_.evaluate(U_(), stokes_(), given_);
+    return solver_->correct
+    (
+        given_, vectorField(mesh().nCells(), Zero), rows, elastic, first, x_,
+        traction_
+    );
+}
+
+
+void Foam::fsbi::fluidRegion::finish
+(
+    const UList<bodyRows>& rows,
+    const UList<elasticRows*>& elastic,
+    List<sixVector>& loads
+)
+{
+    loads = bodyLoads(mesh(), rows, traction_);
+    setFields(rows);
+    for (const elasticRows* body : elastic)
+    {
+        setSurfaceVelocity(*body, false, given_);
+    }
+    forAll(elastic, e)
+    {
+        fvPatchVectorField& Up =
+            U_->boundaryFieldRef()[mesh_.bodyPatch(rows.size() + e)];
+        Up ==
+            SubField<vector>
+            (
+                given_.faces, Up.size(),
+                Up.patch().start() - mesh().nInternalFaces()
+            );
+    }
+}

@@ -1,0 +1,328 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "elasticBlock.H"
+#include "sharedVertices.H"
+
+Foam::fsbi::elasticBlock::elasticBlock
+(
+    const elasticRows& body,
+    const stokesOperator& stokes,
+    const label firstRow
+)
+:
+    body_(body),
+    elastic_(*body.elastic),
+    stencil_(elastic_.stencil()),
+    stokes_(stokes),
+    firstRow_(firstRow),
+    pressure_(elastic_.mixed() ? stencil_.mesh().nPoints() : 0, Zero)
+{}
+
+
+Foam::scalar Foam::fsbi::elasticBlock::halfCoeff(const label ghost) const
+{
+    const label i = stencil_.firstBoundary() + ghost;
+    return 2*elastic_.stiffness()*stencil_.compact()[i]/body_.rate;
+}
+
+
+Foam::label Foam::fsbi::elasticBlock::fluidCell(const label i) const
+{
+    const fvMesh& mesh = stokes_.stencil().mesh();
+    return mesh.faceOwner()[mesh.nInternalFaces() + i];
+}
+
+
+Foam::label Foam::fsbi::elasticBlock::solidCell(const label i) const
+{
+    const fvMesh& mesh = stencil_.mesh();
+    return mesh.faceOwner()[mesh.nInternalFaces() + i];
+}
+
+
+void Foam::fsbi::elasticBlock::setSurface(const globalIndex& rows)
+{
+    // columns and coefficients by number; doubles hold columns exactly
+    vectorField fluid(body_.solid.nFaces, Zero), solid(fluid);
+    forAll(body_.fluid.faces, i)
+    {
+        const label b = body_.fluid.faces[i];
+        fluid[body_.fluid.faceNumbers[i]] =
+            vector(stokes_.wallCoeff(b), rows.toGlobal(fluidCell(b)), 0);
+    }
+    forAll(body_.solid.faces, i)
+    {
+        const label b = body_.solid.faces[i];
+        const bool held = elastic_.kinds()[b] == solidBoundary::displacement;
+        solid[body_.solid.faceNumbers[i]] = vector
+        (
+            held ? 0 : halfCoeff(stencil_.ghostOf()[b]),
+            rows.toGlobal(firstRow_ + solidCell(b)), 0
+        );
+    }
+    surfaceSide::sum(fluid);
+    surfaceSide::sum(solid);
+    fluidK_ = fluid.component(vector::X);
+    solidK_ = solid.component(vector::X);
+    fluidColumn_.setSize(fluid.size());
+    solidColumn_.setSize(solid.size());
+    forAll(fluid, i)
+    {
+        fluidColumn_[i] = label(fluid[i].y() + 0.5);
+        solidColumn_[i] = label(solid[i].y() + 0.5);
+    }
+}
+
+
+void Foam::fsbi::elasticBlock::addBody
+(
+    const globalIndex& rows, compactEntries& entries
+) const
+{
+    scalarList column(stencil_.firstGhost());
+    for (label i = 0; i < stencil_.nCells(); ++i)
+    {
+        column[i] = rows.toGlobal(firstRow_ + i);
+        entries.add(column[i], column[i], body_.mass[i]/body_.rate);
+    }
+    stencil_.halo().fill(column.data(), 1);
+    for (label i = 0; i < stencil_.firstBoundary(); ++i)
+    {
+        const label P = column[stencil_.owner()[i]];
+        const label N = column[stencil_.neighbour()[i]];
+        const scalar k =
+            elastic_.stiffness()*stencil_.compact()[i]/body_.rate;
+        entries.link(P, N, k);
+        if (stencil_.neighbour()[i] < stencil_.nCells())
+        {
+            entries.link(N, P, k);
+        }
+    }
+    for (label g = 0; g < stencil_.nGhosts(); ++g)
+    {
+        const label P =
+            column[stencil_.owner()[stencil_.firstBoundary() + g]];
+        const auto kind = elastic_.kinds()[stencil_.ghostFaces()[g]];
+        const scalar part =
+            kind == solidBoundary::displacement ? 1
+          : kind == solidBoundary::symmetry ? 1.0/3
+          : 0;
+        entries.add(P, P, part*halfCoeff(g));
+    }
+}
+
+
+void Foam::fsbi::elasticBlock::addLinks
+(
+    const globalIndex& rows, compactEntries& entries
+) const
+{
+    const auto series = [this](const label number)
+    {
+        return
+            fluidK_[number]*solidK_[number]
+           /(fluidK_[number] + solidK_[number]);
+    };
+    forAll(body_.fluid.faces, i)
+    {
+        const label number = body_.fluid.faceNumbers[i];
+        if (solidK_[number] > 0)
+        {
+            // instead of a wall's coefficient
+            const label row =
+                rows.toGlobal(fluidCell(body_.fluid.faces[i]));
+            entries.add(row, row, -fluidK_[number]);
+            entries.link(row, solidColumn_[number], series(number));
+        }
+    }
+    forAll(body_.solid.faces, i)
+    {
+        const label number = body_.solid.faceNumbers[i];
+        if (solidK_[number] > 0)
+        {
+            const label row =
+                rows.toGlobal(firstRow_ + solidCell(body_.solid.faces[i]));
+            entries.link(row, fluidColumn_[number], series(number));
+        }
+    }
+}
+
+
+void Foam::fsbi::elasticBlock::addEntries
+(
+    const globalIndex& rows, compactEntries& entries
+)
+{
+    setSurface(rows);
+    addBody(rows, entries);
+    addLinks(rows, entries);
+}
+
+
+void Foam::fsbi::elasticBlock::addPressures
+(
+    const scalar* r, scalar* z, vectorField& rhs, vectorField& force
+) const
+{
+    if (!elastic_.mixed())
+    {
+        return;
+    }
+    const label start = 3*(stencil_.nCells() + stencil_.nGhosts());
+    const labelList& owned = elastic_.ownedVertices();
+    pressure_ = Zero;
+    forAll(owned, i)
+    {
+        z[start + i] =
+            r[start + i]
+           /(stencil_.vertexVolume()[owned[i]]*elastic_.compliance());
+        pressure_[owned[i]] = z[start + i];
+    }
+    sharedVertices::sum<1>
+    (
+        stencil_.mesh(), pressure_.begin(), stencil_.halo().size()
+    );
+    for (label i = 0; i < stencil_.nFaces(); ++i)
+    {
+        const vector pull(elastic_.faceMean(i, pressure_)*stencil_.area()[i]);
+        const label g = i - stencil_.firstBoundary();
+        if
+        (
+            g >= 0
+         && elastic_.kinds()[stencil_.ghostFaces()[g]]
+         == solidBoundary::traction
+        )
+        {
+            force[g] += pull;
+            continue;
+        }
+        rhs[firstRow_ + stencil_.owner()[i]] -= pull;
+        if (stencil_.neighbour()[i] < stencil_.nCells())
+        {
+            rhs[firstRow_ + stencil_.neighbour()[i]] += pull;
+        }
+    }
+}
+
+
+void Foam::fsbi::elasticBlock::begin
+(
+    const scalar* r, const scalarList& fluidPressure,
+    scalar* z, vectorField& rhs
+) const
+{
+    const label nCells = stencil_.nCells();
+    const vector* row = reinterpret_cast<const vector*>(r);
+    std::copy_n(row, nCells, rhs.begin() + firstRow_);
+
+    // what ghosts leave to the surface, or to cells where it is held
+    vectorField force(stencil_.nGhosts(), Zero);
+    forAll(force, g)
+    {
+        const vector& ghost = row[nCells + g];
+        const label i = stencil_.firstBoundary() + g;
+        switch (elastic_.kinds()[stencil_.ghostFaces()[g]])
+        {
+            case solidBoundary::traction:
+                force[g] = elastic_.ghostForce(g, ghost);
+                break;
+            case solidBoundary::displacement:
+                rhs[firstRow_ + stencil_.owner()[i]] +=
+                    elastic_.stiffness()*stencil_.compact()[i]*ghost;
+                break;
+            default:
+                break;
+        }
+    }
+    addPressures(r, z, rhs, force);
+
+    const fvMesh& mesh = stokes_.stencil().mesh();
+    const label n = body_.solid.nFaces;
+    vectorField sums(2*n, Zero);
+    forAll(body_.solid.faces, i)
+    {
+        sums[body_.solid.faceNumbers[i]] =
+            force[stencil_.ghostOf()[body_.solid.faces[i]]];
+    }
+    forAll(body_.fluid.faces, i)
+    {
+        const label b = body_.fluid.faces[i];
+        sums[n + body_.fluid.faceNumbers[i]] =
+            fluidPressure[fluidCell(b)]
+           *mesh.faceAreas()[mesh.nInternalFaces() + b];
+    }
+    surfaceSide::sum(sums);
+    push_.setSize(n);
+    forAll(push_, i)
+    {
+        push_[i] = sums[i] + sums[n + i];
+    }
+
+    const auto share = [this](const label number)
+    {
+        return fluidK_[number]/(fluidK_[number] + solidK_[number]);
+    };
+    forAll(body_.fluid.faces, i)
+    {
+        const label number = body_.fluid.faceNumbers[i];
+        if (solidK_[number] > 0)
+        {
+            rhs[fluidCell(body_.fluid.faces[i])] +=
+                share(number)*push_[number];
+        }
+    }
+    forAll(body_.solid.faces, i)
+    {
+        const label number = body_.solid.faceNumbers[i];
+        if (solidK_[number] > 0)
+        {
+            rhs[firstRow_ + solidCell(body_.solid.faces[i])] +=
+                sums[n + number] - share(number)*push_[number];
+        }
+    }
+}
+
+
+void Foam::fsbi::elasticBlock::end
+(
+    const scalar* r, const vectorField& velocity, scalar* z
+) const
+{
+    const label nCells = stencil_.nCells();
+    const vector* row = reinterpret_cast<const vector*>(r);
+    vector* u = reinterpret_cast<vector*>(z);
+    for (label i = 0; i < nCells; ++i)
+    {
+        u[i] = velocity[firstRow_ + i]/body_.rate;
+    }
+    std::copy_n(row + nCells, stencil_.nGhosts(), u + nCells);
+    elastic_.followCells(u);
+
+    vectorField pulled(push_.size(), Zero);
+    forAll(body_.fluid.faces, i)
+    {
+        const label number = body_.fluid.faceNumbers[i];
+        pulled[number] =
+            fluidK_[number]*velocity[fluidCell(body_.fluid.faces[i])];
+    }
+    surfaceSide::sum(pulled);
+    forAll(body_.solid.faces, i)
+    {
+        const label b = body_.solid.faces[i];
+        const label number = body_.solid.faceNumbers[i];
+        const scalar K = solidK_[number];
+        if (K > 0)
+        {
+            const vector& vs = velocity[firstRow_ + solidCell(b)];
+            const vector vb
+            (
+                (K*vs + pulled[number] + push_[number])
+               /(K + fluidK_[number])
+            );
+            u[nCells + stencil_.ghostOf()[b]] = (2*vb - vs)/body_.rate;
+        }
+    }
+}
