@@ -89,6 +89,7 @@ void Foam::fsbi::recorder::declareElastic(const solidRegion& body)
     if (scene_.hasFluid())
     {
         history_.declare(path/"fluidForce", xyz, "M L/T^2");
+        history_.declare(path/"tether", xyz, "M L/T^2");
         history_.declare(path/"volume", {"now"}, "L^3");
         history_.declare
         (
@@ -264,6 +265,7 @@ void Foam::fsbi::recorder::appendHistory(const solidRegion& body)
     {
         const equivalentEllipsoid shape(body.surface().placedSurface());
         add("fluidForce", body.fluidForce());
+        add("tether", body.tether());
         history_.append(path/"volume", t, scalarList(1, shape.volume));
         add("semiAxes", shape.axes);
         add("longestAxis", shape.directions.x());

@@ -31,6 +31,11 @@ Foam::fsbi::elasticBody::elasticBody(const word& name, const dictionary& dict)
             *load = Function1<vector>::New(key, dict);
         }
     }
+    readHeld(entries);
+    if (entries.found("deformed"))
+    {
+        readDeformed(entries);
+    }
     velocity_ = entries.getOrDefault<vector>("initialVelocity", Zero);
     angularVelocity_ =
         entries.getOrDefault<vector>("initialAngularVelocity", Zero);
@@ -56,6 +61,46 @@ void Foam::fsbi::elasticBody::readShape(const checkedDictionary& entries)
     os << position_ << turned;
     entries.subDict("shape").write(os, false);
     shapeText_ = os.str();
+}
+
+
+void Foam::fsbi::elasticBody::readHeld(const checkedDictionary& entries)
+{
+    if (entries.found("held"))
+    {
+        const checkedDictionary box(entries.subDict("held"));
+        held_ = boundBox(box.get<point>("min"), box.get<point>("max"));
+        box.finish();
+    }
+    tethered_ = entries.found("tether");
+    if (tethered_)
+    {
+        checkedDictionary(entries.subDict("tether")).finish();
+    }
+}
+
+
+void Foam::fsbi::elasticBody::readDeformed(const checkedDictionary& entries)
+{
+    const checkedDictionary sphere(entries.subDict("shape"));
+    sphere.choice("type", {"sphere"});
+    const scalar radius = sphere.positive("radius");
+    const checkedDictionary map(entries.subDict("deformed"));
+    deformed_.reset
+    (
+        new leukocyteMap
+        (
+            radius, map.get<scalar>("Ax"), map.get<scalar>("Ay"),
+            map.get<scalar>("By")
+        )
+    );
+    map.finish();
+}
+
+
+Foam::vector Foam::fsbi::elasticBody::displacement(const point& x) const
+{
+    return deformed_->fromSphere(x - position_) - (x - position_);
 }
 
 

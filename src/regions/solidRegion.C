@@ -64,6 +64,10 @@ bool Foam::fsbi::solidRegion::evaluate()
     {
         forces_[celli] = rows[celli] - volumes_[celli]*b;
     }
+    if (rows_.tethered())
+    {
+        forces_ -= rows_.share*rows_.tether;
+    }
     return returnReduce(elastic_->valid(), andOp<bool>());
 }
 

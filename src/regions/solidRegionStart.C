@@ -6,6 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "solidRegion.H"
 #include "steadyState.H"
 #include "Time.H"
+#include "mathematicalConstants.H"
 #include "IOdictionary.H"
 
 Foam::fsbi::solidRegion::solidRegion
@@ -115,6 +116,19 @@ void Foam::fsbi::solidRegion::create(const bool saved)
         rows_.given = &conditions_->given();
         rows_.x = &x_;
         wetted_->setSurface(rows_);
+        setTether();
+    }
+}
+
+
+void Foam::fsbi::solidRegion::setTether()
+{
+    if (body_.tethered())
+    {
+        const scalar pi = constant::mathematical::pi;
+        const scalar volume = gSum(volumes_);
+        rows_.share = volumes_/volume;
+        rows_.radius = cbrt(0.75*volume/pi);
     }
 }
 
@@ -210,13 +224,27 @@ void Foam::fsbi::solidRegion::setUnknowns()
             *u++ = D[mesh().faceOwner()[mesh().nInternalFaces() + i]];
         }
     }
+    if (body_.deformed())
+    {
+        // cells and their mirror images
+        const vectorField x(elastic_->stencil().centres());
+        u = reinterpret_cast<vector*>(x_.data());
+        for (label i = 0; i < mesh().nCells() + elastic_->nGhosts(); ++i)
+        {
+            const bool ghost = i >= mesh().nCells();
+            u[i] = body_.displacement
+            (
+                x[ghost ? i + elastic_->stencil().halo().size() : i]
+            );
+        }
+    }
 }
 
 
 void Foam::fsbi::solidRegion::start()
 {
-    const vectorField u(fields_->D());
     setUnknowns();
+    const vectorField u(cells());
     conditions_->evaluate(movedFaces_);
     const vector centre(gSum(volumes_*centres_)/gSum(volumes_));
     motion_->start
@@ -233,6 +261,10 @@ void Foam::fsbi::solidRegion::start()
     if (wetted_)
     {
         wetted_->start(rows_);
+        if (rows_.tethered())
+        {
+            rows_.place = gSum(vectorField(rows_.share*cells()));
+        }
     }
     setFields();
     remember();

@@ -87,6 +87,8 @@ void Foam::fsbi::solidRegion::save(dictionary& state) const
         wetted_->save(surface);
         state.set("surface", surface);
         state.set("fluidForce", fluidForce_);
+        state.set("tether", rows_.tether);
+        state.set("place", rows_.place);
     }
 }
 
@@ -115,6 +117,8 @@ void Foam::fsbi::solidRegion::restore(const dictionary& state)
     {
         wetted_->restore(state.subDict("surface"));
         fluidForce_ = state.get<vector>("fluidForce");
+        rows_.tether = state.get<vector>("tether");
+        rows_.place = state.get<vector>("place");
     }
     visitState
     (

@@ -8,6 +8,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "elasticCoupling.H"
 #include "checkedDictionary.H"
 #include "Pstream.H"
+#include "mathematicalConstants.H"
 #include "PstreamReduceOps.H"
 
 namespace Foam
@@ -64,11 +65,21 @@ Foam::label Foam::fsbi::coupledSystem::nCellRows() const
 }
 
 
+Foam::label Foam::fsbi::coupledSystem::nTethers() const
+{
+    label n = 0;
+    for (const elasticRows* body : elastic_)
+    {
+        n += body->tethered();
+    }
+    return n;
+}
+
+
 void Foam::fsbi::coupledSystem::createKrylov()
 {
     const label nCells = mesh_.nCells();
-    const label nRows =
-        nCellRows() + (Pstream::master() ? 6*bodies_->size() : 0);
+    const label nRows = result_.size();
     preconditioner_.reset(new stokesPreconditioner(mesh_, stokes_, elastic_));
     krylov_.reset
     (
@@ -111,7 +122,10 @@ void Foam::fsbi::coupledSystem::set
     scales_ = rowScales(stokes_, bodies, elastic);
     const label n = nCellRows();
     state_.setSize(n);
-    result_.setSize(n + (Pstream::master() ? 6*bodies.size() : 0));
+    result_.setSize
+    (
+        n + (Pstream::master() ? 6*bodies.size() + 3*nTethers() : 0)
+    );
     if (!krylov_)
     {
         createKrylov();
@@ -159,6 +173,51 @@ void Foam::fsbi::coupledSystem::writeBodies
 }
 
 
+Foam::vectorField Foam::fsbi::coupledSystem::readTethers
+(
+    const scalar* x
+) const
+{
+    vectorField f(elastic_.size(), Zero);
+    if (Pstream::master())
+    {
+        const scalar* at = x + nCellRows() + 6*bodies_->size();
+        forAll(f, e)
+        {
+            if (elastic_[e]->tethered())
+            {
+                std::copy_n(at, 3, f[e].begin());
+                at += 3;
+            }
+        }
+    }
+    if (nTethers())
+    {
+        MPI_Bcast
+        (
+            f.data()->v_, 3*f.size(), MPI_DOUBLE, 0, PETSC_COMM_WORLD
+        );
+    }
+    return f;
+}
+
+
+void Foam::fsbi::coupledSystem::writeTethers
+(
+    const UList<vector>& f, scalar* x
+) const
+{
+    scalar* at = x + nCellRows() + 6*bodies_->size();
+    for (label e = 0; Pstream::master() && e < f.size(); ++e)
+    {
+        if (elastic_[e]->tethered())
+        {
+            at = std::copy_n(f[e].begin(), 3, at);
+        }
+    }
+}
+
+
 Foam::scalarList Foam::fsbi::coupledSystem::packed(const scalarList& x) const
 {
     scalarList unknown(result_.size());
@@ -173,6 +232,12 @@ Foam::scalarList Foam::fsbi::coupledSystem::packed(const scalarList& x) const
         v[b] = (*bodies_)[b].velocity;
     }
     writeBodies(v, unknown.begin());
+    vectorField tethers(elastic_.size());
+    forAll(tethers, e)
+    {
+        tethers[e] = elastic_[e]->tether;
+    }
+    writeTethers(tethers, unknown.begin());
     return unknown;
 }
 
@@ -194,6 +259,11 @@ void Foam::fsbi::coupledSystem::unpack
     forAll(v, b)
     {
         (*bodies_)[b].velocity = v[b];
+    }
+    const vectorField tethers(readTethers(unknown.cdata()));
+    forAll(tethers, e)
+    {
+        elastic_[e]->tether = tethers[e];
     }
 }
 
@@ -259,6 +329,46 @@ void Foam::fsbi::coupledSystem::elasticResiduals
 }
 
 
+void Foam::fsbi::coupledSystem::tetherResiduals
+(
+    const scalar* x,
+    scalar* r,
+    const bool homogeneous
+) const
+{
+    if (!nTethers())
+    {
+        return;
+    }
+    const vectorField tethers(readTethers(x));
+    vectorField stretch(elastic_.size(), Zero);
+    label start = 4*mesh_.nCells();
+    forAll(elastic_, e)
+    {
+        const elasticRows& body = *elastic_[e];
+        if (body.tethered())
+        {
+            const vector* u = reinterpret_cast<const vector*>(x + start);
+            vector* row = reinterpret_cast<vector*>(r + start);
+            forAll(body.share, i)
+            {
+                row[i] -= body.share[i]*tethers[e];
+                stretch[e] += body.share[i]*u[i];
+            }
+        }
+        start += body.elastic->size();
+    }
+    surfaceSide::sum(stretch);
+    forAll(stretch, e)
+    {
+        stretch[e] =
+            elastic_[e]->rate
+           *(stretch[e] - (homogeneous ? vector::zero : elastic_[e]->place));
+    }
+    writeTethers(stretch, r);
+}
+
+
 void Foam::fsbi::coupledSystem::bodyResiduals
 (
     const UList<sixVector>& v,
@@ -312,6 +422,7 @@ void Foam::fsbi::coupledSystem::residual
         body->elastic->addLoad(surfaceForce(*body, traction_), row);
         row += body->elastic->size();
     }
+    tetherResiduals(x, r, homogeneous);
     scales_.apply(r);
     bodyResiduals(v, r, homogeneous);
 }
@@ -352,8 +463,24 @@ void Foam::fsbi::coupledSystem::precondition
         }
     }
 
+    // a tether's residual is a velocity, which the drag of a sphere resists
+    const scalar pi = constant::mathematical::pi;
+    vectorField tethers(readTethers(r));
+    label start = 4*mesh_.nCells();
+    forAll(elastic_, e)
+    {
+        tethers[e] *= 6*pi*stokes_.mu()*elastic_[e]->radius;
+        vector* row = reinterpret_cast<vector*>(state_.begin() + start);
+        forAll(elastic_[e]->share, i)
+        {
+            row[i] += elastic_[e]->share[i]*tethers[e];
+        }
+        start += elastic_[e]->elastic->size();
+    }
+
     preconditioner_->apply(state_.cdata(), z);
     writeBodies(v, z);
+    writeTethers(tethers, z);
 }
 
 
@@ -464,7 +591,10 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSystem::correct
         // relative to the fluid and rigid bodies at rest
         scalarList rest(unknown);
         std::fill_n(rest.begin(), 4*mesh_.nCells(), scalar(0));
-        writeBodies(List<sixVector>(bodies.size(), sixVector(Zero)), rest.begin());
+        writeBodies
+        (
+            List<sixVector>(bodies.size(), sixVector(Zero)), rest.begin()
+        );
         residual(rest.cdata(), result_.begin(), false);
         scale_ = norm(result_);
     }
