@@ -8,12 +8,12 @@ Application
 Description
     Checks of the coupled solution and of SIMPLEC on every kind of cell: orders
     against exact Stokes flow, iterations, agreement of the methods, free
-    bodies, units.
+    bodies, the stresslet of a sphere, units.
 
 \*---------------------------------------------------------------------------*/
 
 #include "petscObjects.H"
-#include "problem.H"
+#include "strainedSphere.H"
 #include "checks.H"
 #include "testMeshes.H"
 #include "argList.H"
@@ -194,6 +194,36 @@ static void checkFreeBody(checks& c)
 }
 
 
+//- The first moment of the traction, where pressure and shear have a part each
+static void checkStresslet(checks& c)
+{
+    const testMeshes room(wide);
+    vector error[2];
+    const scalar size[2] = {0.3, 0.2};
+    for (label level = 0; level < 2; ++level)
+    {
+        autoPtr<fvMesh> mesh
+        (
+            room.mesh("tetrahedra", level ? 18 : 12, size[level])
+        );
+        const strainedSphere sphere(mesh(), 1.7);
+        const vector moments(sphere.moments());
+        error[level] = cmptMag(moments - vector::one);
+        Info<< "    strained sphere, " << mesh->nCells() << " cells: "
+            << sphere.flow.report.iterations
+            << " iterations, stresslet over the exact one: of pressure "
+            << moments.x() << ", of shear " << moments.y() << ", in all "
+            << moments.z() << endl;
+    }
+    const scalar order =
+        Foam::log(error[0].z()/error[1].z())/Foam::log(size[0]/size[1]);
+    c.check("stresslet: order", order > 1.8, name(order));
+    c.checkBelow("stresslet", error[1].z(), 0.02);
+    c.checkBelow("stresslet of the pressure", error[1].x(), 0.09);
+    c.checkBelow("stresslet of the shear", error[1].y(), 0.03);
+}
+
+
 static void checkUnits(checks& c)
 {
     const testMeshes room(wide);
@@ -234,6 +264,7 @@ int main(int argc, char *argv[])
     checkOrders(c);
     checkMethods(c);
     checkFreeBody(c);
+    checkStresslet(c);
     checkUnits(c);
     return c.finish();
 }
