@@ -131,6 +131,10 @@ bool Foam::fsbi::scene::correct(List<bodyRows>& rows)
           + name(maxCorrections) + " corrections: the residual is "
           + name(report_.residual);
     }
+    for (label e = 0; !report_.converged && e < solids_.size(); ++e)
+    {
+        failure_ += solids_[e].failureWarning();
+    }
     return report_.converged;
 }
 

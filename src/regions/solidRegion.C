@@ -171,6 +171,16 @@ void Foam::fsbi::solidRegion::setMeasures()
 }
 
 
+Foam::string Foam::fsbi::solidRegion::failureWarning()
+{
+    solidMeasures now;
+    now.setDeformation(mesh(), volumes_, material_(), elastic_());
+    const string text(material_->warning(now.minJ, now.minStretch));
+    return
+        text.empty() ? string() : string(" (body '" + name() + "': " + text + ")");
+}
+
+
 void Foam::fsbi::solidRegion::remember()
 {
     faceForce_ = elastic_->boundaryForce();

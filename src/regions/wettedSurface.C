@@ -8,6 +8,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "surfaceMap.H"
 #include "PatchTools.H"
 #include "syncTools.H"
+#include "mathematicalConstants.H"
 
 const Foam::polyPatch& Foam::fsbi::wettedSurface::patchOf(const fvMesh& mesh)
 {
@@ -216,9 +217,30 @@ void Foam::fsbi::wettedSurface::follow(const elasticRows& rows)
 }
 
 
-Foam::vectorField Foam::fsbi::wettedSurface::pointVelocity() const
+Foam::fsbi::sixVector Foam::fsbi::wettedSurface::motion() const
 {
-    return part(vectorField(motion_.velocity(displacement_)), true);
+    if (!motion_.knownVelocity().size())
+    {
+        return sixVector(Zero);
+    }
+    const vectorField v(part(vectorField(motion_.velocity(displacement_)), true));
+    const vectorField x(reference_.points() + pointDisplacement());
+    const vector centre(average(x)), mean(average(v));
+    vector momentum(Zero);
+    symmTensor inertia(Zero);
+    forAll(x, i)
+    {
+        const vector r(x[i] - centre);
+        momentum += r ^ (v[i] - mean);
+        inertia += magSqr(r)*symmTensor::I - sqr(r);
+    }
+    return join(mean, inv(inertia) & momentum);
+}
+
+
+Foam::scalar Foam::fsbi::wettedSurface::radius() const
+{
+    return sqrt(reference_.area()/(4*constant::mathematical::pi));
 }
 
 

@@ -205,19 +205,28 @@ Foam::scalar Foam::fsbi::stepControl::smallestWanted(const scene& scene)
     require(entry("maxDeltaT", GREAT), "maxDeltaT");
     const bool first = time_.timeIndex() == 0;
     require(first ? chosen_ : maxGrowth*chosen_, first ? "deltaT" : "growth");
+    const auto move = [&]
+    (
+        const word& name, const sixVector& v, const scalar radius
+    )
+    {
+        require
+        (
+            maxRotation/max(mag(angular(v)), VSMALL), "rotation of " + name
+        );
+        require
+        (
+            maxTravel*radius/max(mag(linear(v)), VSMALL), "travel of " + name
+        );
+    };
     for (const rigidBody& body : scene.bodies())
     {
-        const sixVector& v = body.now().velocity;
-        require
-        (
-            maxRotation/max(mag(angular(v)), VSMALL),
-            "rotation of " + body.name()
-        );
-        require
-        (
-            maxTravel*body.radius()/max(mag(linear(v)), VSMALL),
-            "travel of " + body.name()
-        );
+        move(body.name(), body.now().velocity, body.radius());
+    }
+    for (label i = 0; scene.hasFluid() && i < scene.solids().size(); ++i)
+    {
+        const wettedSurface& surface = scene.solids()[i].surface();
+        move(surface.name(), surface.motion(), surface.radius());
     }
     return dt;
 }

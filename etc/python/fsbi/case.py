@@ -64,6 +64,15 @@ class Case:
         largest = [v[1] if len(v) == 2 else v[2] for v in values]
         return np.array([float(row[0]) for row in rows]), np.array(largest)
 
+    def shape(self, body):
+        """Times, Taylor's deformation and the inclination in the x-y plane
+        (degrees) of an elastic body in a fluid."""
+        table = self.history[f"elasticBodies/{body}/semiAxes"].array
+        axis = self.history[f"elasticBodies/{body}/longestAxis"].array
+        deformation = (table[:, 1] - table[:, 3]) / (table[:, 1] + table[:, 3])
+        angle = np.degrees(np.arctan2(axis[:, 2], axis[:, 1])) % 180
+        return table[:, 0], deformation, angle
+
     def torque(self, body, source="fluid"):
         return self._vectors(body, f"torque/{source}")
 
