@@ -52,6 +52,8 @@ def arguments(argv):
                    metavar=("RIGHT", "ABOVE"),
                    help="degrees of the viewer off the normal")
     p.add_argument("--zoom", type=float, default=1, help="above 1 is closer")
+    p.add_argument("--focus", nargs=3, type=float,
+                   help="point in the middle of the page; default: of the scene")
     p.add_argument("--range", nargs=2, type=float, help="of the colours")
     p.add_argument("--scale", type=float, default=1, help="factor on the field")
     p.add_argument("--unit", default="µm/µs", help="unit of the scaled field")
@@ -302,6 +304,10 @@ def camera(renderer, target, normal, up, options):
     view.Azimuth(options.tilt[0])
     view.Elevation(options.tilt[1])
     renderer.ResetCamera()
+    if options.focus:
+        shift = np.array(options.focus) - view.GetFocalPoint()
+        view.SetPosition(view.GetPosition() + shift)
+        view.SetFocalPoint(options.focus)
     view.Zoom(1.25 * options.zoom)
     renderer.ResetCameraClippingRange()
 
