@@ -33,6 +33,59 @@ Foam::fsbi::surfaceSide Foam::fsbi::fluidRegion::sideOf(const label b) const
 }
 
 
+void Foam::fsbi::fluidRegion::linkSurfaces
+(
+    const UList<elasticRows*>& elastic
+) const
+{
+    forAll(elastic, e)
+    {
+        if (elastic[e]->generation != mesh_.generation())
+        {
+            elastic[e]->fluid = sideOf(rigidBodies_.size() + e);
+            elastic[e]->generation = mesh_.generation();
+        }
+    }
+}
+
+
+Foam::scalar Foam::fsbi::fluidRegion::speed() const
+{
+    scalar largest = gMax(mag(U_->primitiveField())());
+    for (const fvPatchVectorField& Up : U_->boundaryField())
+    {
+        largest = max(largest, gMax(mag(Up)()));
+    }
+    return largest;
+}
+
+
+Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
+(
+    UList<bodyRows>& rows,
+    const UList<elasticRows*>& elastic,
+    const UList<vectorField>& displacements
+)
+{
+    auto timer = timings_.measure("solve");
+    setRows(rows);
+    linkSurfaces(elastic);
+    conditions_.evaluate(U_(), stokes_(), given_);
+    forAll(elastic, e)
+    {
+        setSurfaceVelocity
+        (
+            *elastic[e], surfaceDisplacement(*elastic[e], displacements[e]),
+            given_
+        );
+    }
+    return solver_->solve
+    (
+        given_, vectorField(mesh().nCells(), Zero), rows, x_, traction_
+    );
+}
+
+
 Foam::fsbi::solverReport Foam::fsbi::fluidRegion::correct
 (
     UList<bodyRows>& rows,
@@ -42,14 +95,7 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::correct
 {
     auto timer = timings_.measure("solve");
     setRows(rows);
-    forAll(elastic, e)
-    {
-        if (elastic[e]->generation != mesh_.generation())
-        {
-            elastic[e]->fluid = sideOf(rows.size() + e);
-            elastic[e]->generation = mesh_.generation();
-        }
-    }
+    linkSurfaces(elastic);
     conditions_.evaluate(U_(), stokes_(), given_);
     return solver_->correct
     (

@@ -4,20 +4,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "scene.H"
-#include "elasticCoupling.H"
 #include "Time.H"
 #include "untrapped.H"
-
-namespace Foam
-{
-namespace fsbi
-{
-
-//- Corrections of a step before it is taken for one that does not converge
-static const label maxCorrections = 15;
-
-} // End namespace fsbi
-} // End namespace Foam
 
 
 Foam::List<Foam::fsbi::bodyRows> Foam::fsbi::scene::bodyRowsNow() const
@@ -84,98 +72,14 @@ bool Foam::fsbi::scene::advanceCoupled()
     {
         body.advance(time_.deltaTValue());
     }
-    for (solidRegion& solid : solids_)
-    {
-        if (!solid.follow())
-        {
-            solid.forget();
-            solid.follow();
-        }
-    }
     List<bodyRows> rows(bodyRowsNow());
-    return fluid_->follow(failure_) && correct(rows) && finish(rows);
-}
-
-
-bool Foam::fsbi::scene::correct(List<bodyRows>& rows)
-{
-    List<elasticRows*> elastic(solids_.size());
-    forAll(elastic, e)
-    {
-        elastic[e] = &solids_[e].rows();
-    }
-    label iterations = 0;
-    for (label i = 0; i <= maxCorrections; ++i)
-    {
-        report_ = fluid_->correct(rows, elastic, i == 0);
-        iterations += report_.iterations;
-        report_.iterations = iterations;
-        report_.corrections = i;
-        if (report_.converged || failed())
-        {
-            break;
-        }
-        for (solidRegion& solid : solids_)
-        {
-            solid.follow();
-        }
-        if (!fluid_->move(failure_))
-        {
-            return false;
-        }
-    }
-    if (!report_.converged && failure_.empty())
-    {
-        failure_ =
-            "fluid and bodies do not agree after "
-          + name(maxCorrections) + " corrections: the residual is "
-          + name(report_.residual);
-    }
-    for (label e = 0; !report_.converged && e < solids_.size(); ++e)
-    {
-        failure_ += solids_[e].failureWarning();
-    }
-    return report_.converged;
-}
-
-
-bool Foam::fsbi::scene::failed()
-{
-    if (!std::isfinite(report_.residual))
-    {
-        failure_ = "the solution is not finite: the scene has numbers that are"
-            " too large, or cells that are too thin";
-    }
-    else if (report_.failure.size())
-    {
-        failure_ = report_.failure;
-    }
-    return failure_.size();
-}
-
-
-bool Foam::fsbi::scene::finish(const List<bodyRows>& rows)
-{
-    List<elasticRows*> elastic(solids_.size());
-    forAll(elastic, e)
-    {
-        elastic[e] = &solids_[e].rows();
-    }
-    List<sixVector> loads;
-    fluid_->finish(rows, elastic, loads);
+    List<sixVector> loads(rows.size());
+    const bool good = coupling_->advance(rows, loads);
+    report_ = coupling_->report();
+    failure_ = coupling_->failure();
     forAll(rows, b)
     {
         bodies_[b].set(rows[b].velocity, loads[b]);
-    }
-    bool good = true;
-    forAll(solids_, e)
-    {
-        good =
-            good
-         && solids_[e].finish
-            (
-                surfaceForce(*elastic[e], fluid_->traction()), failure_
-            );
     }
     return good;
 }
@@ -236,6 +140,10 @@ void Foam::fsbi::scene::beginStep()
     {
         fluid_->beginStep();
     }
+    if (coupling_)
+    {
+        coupling_->beginStep();
+    }
 }
 
 
@@ -253,6 +161,10 @@ void Foam::fsbi::scene::rewind()
     {
         fluid_->rewind();
     }
+    if (coupling_)
+    {
+        coupling_->rewind();
+    }
 }
 
 
@@ -265,6 +177,10 @@ void Foam::fsbi::scene::endStep()
     for (solidRegion& solid : solids_)
     {
         solid.endStep();
+    }
+    if (coupling_)
+    {
+        coupling_->endStep();
     }
 }
 
@@ -290,6 +206,12 @@ void Foam::fsbi::scene::save(dictionary& state) const
         dictionary mesh;
         fluid_->meshing().save(mesh);
         state.set("fluidMesh", mesh);
+    }
+    if (coupling_)
+    {
+        dictionary coupling;
+        coupling_->save(coupling);
+        state.set("coupling", coupling);
     }
 }
 

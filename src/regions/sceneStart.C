@@ -46,6 +46,14 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
             )
         );
     }
+    if (fluid_ && solids_.size())
+    {
+        coupling_ = couplingScheme::New(fluid_(), solids_);
+        if (saved.found("coupling"))
+        {
+            coupling_->restore(saved.subDict("coupling"));
+        }
+    }
 }
 
 

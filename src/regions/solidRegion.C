@@ -104,6 +104,26 @@ bool Foam::fsbi::solidRegion::solve(solverReport& report, string& failure)
 }
 
 
+bool Foam::fsbi::solidRegion::solve
+(
+    const boundarySpring& spring, solverReport& report, string& failure
+)
+{
+    auto timer = timings_.measure("solve");
+    const untrapped scope;
+    if (!solver_)
+    {
+        solver_ = solidSolver::New(mesh(), elastic_(), material_(), controls());
+    }
+    report = solver_->solve
+    (
+        {conditions_->given(), rows_.force, rows_.mass, &spring}, x_
+    );
+    failure = faultOf(report);
+    return failure.empty();
+}
+
+
 bool Foam::fsbi::solidRegion::take(string& failure)
 {
     if (!evaluate())
@@ -248,12 +268,11 @@ Foam::vector Foam::fsbi::solidRegion::reaction(const word& patch) const
 
 void Foam::fsbi::solidRegion::renewSolver()
 {
-    if (inFluid_)
-    {
-        return;     // the fluid's is renewed
-    }
     solver_.clear();
-    solver_ = solidSolver::New(mesh(), elastic_(), material_(), controls());
+    if (!inFluid_)      // there made when a scheme needs it
+    {
+        solver_ = solidSolver::New(mesh(), elastic_(), material_(), controls());
+    }
 }
 
 

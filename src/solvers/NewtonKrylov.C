@@ -72,7 +72,7 @@ Foam::label Foam::fsbi::NewtonKrylov::correction(const scalar accuracy)
 {
     if (!freshIterations_)
     {
-        preconditioner_.rebuild(residual_.problem().mass);
+        preconditioner_.rebuild(residual_.stiffness());
     }
     dx_ = 0;
     const label iterations = krylov_->solve
@@ -138,12 +138,12 @@ Foam::fsbi::solverReport Foam::fsbi::NewtonKrylov::solve
 )
 {
     residual_.setProblem(problem);
-    preconditioner_.setDiagonal(problem.mass);
+    preconditioner_.setDiagonal(residual_.stiffness());
     if (!krylov_)
     {
         createKrylov();
     }
-    const scalar mass = gSum(problem.mass);
+    const scalar mass = gSum(residual_.stiffness());
     if (mass != mass_)
     {
         mass_ = mass;

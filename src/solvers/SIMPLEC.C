@@ -25,8 +25,7 @@ Foam::fsbi::SIMPLEC::SIMPLEC
     traction_(stokes.nBoundaryFaces(), Zero)
 {
     const checkedDictionary entries(dict);
-    entries.get<word>("method");
-    entries.found("faceValues");
+    knowOthers(entries);
     tolerance_ = entries.positive("tolerance", 1e-6);
     maxIterations_ = entries.getOrDefault<label>("maxIterations", 2000);
     alpha_ = entries.positive("relaxation", 0.9);

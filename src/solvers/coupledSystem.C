@@ -44,8 +44,7 @@ Foam::fsbi::coupledSystem::coupledSystem
     freshRate_(0)
 {
     const checkedDictionary entries(dict);
-    entries.found("method");
-    entries.found("faceValues");
+    knowOthers(entries);
     tolerance_ = entries.positive("tolerance", 1e-6);
     maxIterations_ = entries.getOrDefault<label>("maxIterations", 300);
     entries.finish();

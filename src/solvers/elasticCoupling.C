@@ -41,20 +41,49 @@ Foam::fsbi::surfaceDisplacement::surfaceDisplacement
 }
 
 
+Foam::fsbi::surfaceDisplacement::surfaceDisplacement
+(
+    const elasticRows& body, const vectorField& both
+)
+:
+    faces
+    (
+        SubField<vector>(both, body.solid.nFaces, body.solid.nPoints)
+    ),
+    points(SubField<vector>(both, body.solid.nPoints))
+{}
+
+
+void Foam::fsbi::setSurfaceVelocity
+(
+    const elasticRows& body, const surfaceDisplacement& d,
+    boundaryValues& values
+)
+{
+    body.fluid.spreadFaces
+    (
+        vectorField(body.rate*d.faces + body.knownFaces), values.faces
+    );
+    body.fluid.spreadPoints
+    (
+        vectorField(body.rate*d.points + body.knownPoints), values.vertices
+    );
+}
+
+
 void Foam::fsbi::setSurfaceVelocity
 (
     const elasticRows& body, const bool derivative, boundaryValues& values
 )
 {
     const surfaceDisplacement d(body, derivative);
-    vectorField faces(body.rate*d.faces), points(body.rate*d.points);
     if (!derivative)
     {
-        faces += body.knownFaces;
-        points += body.knownPoints;
+        setSurfaceVelocity(body, d, values);
+        return;
     }
-    body.fluid.spreadFaces(faces, values.faces);
-    body.fluid.spreadPoints(points, values.vertices);
+    body.fluid.spreadFaces(vectorField(body.rate*d.faces), values.faces);
+    body.fluid.spreadPoints(vectorField(body.rate*d.points), values.vertices);
 }
 
 

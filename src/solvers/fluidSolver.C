@@ -5,7 +5,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "coupledSystem.H"
 #include "SIMPLEC.H"
-#include "checkedDictionary.H"
 
 Foam::autoPtr<Foam::fsbi::fluidSolver> Foam::fsbi::fluidSolver::New
 (
@@ -26,6 +25,19 @@ Foam::autoPtr<Foam::fsbi::fluidSolver> Foam::fsbi::fluidSolver::New
         return autoPtr<fluidSolver>(new SIMPLEC(mesh, stokes, dict));
     }
     return autoPtr<fluidSolver>(new coupledSystem(mesh, stokes, dict));
+}
+
+
+void Foam::fsbi::fluidSolver::knowOthers(const checkedDictionary& entries)
+{
+    for
+    (
+        const char* key
+      : {"method", "faceValues", "scheme", "geometry", "passes"}
+    )
+    {
+        entries.found(key);
+    }
 }
 
 

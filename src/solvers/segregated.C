@@ -155,7 +155,7 @@ Foam::fsbi::solverReport Foam::fsbi::segregated::solve
 )
 {
     residual_.setProblem(problem);
-    setMatrix(problem.mass);
+    setMatrix(residual_.stiffness());
     solverReport report;
     scalar first = -1;
     for (label sweep = 0; ; ++sweep)

@@ -21,10 +21,30 @@ Foam::fsbi::solidResidual::solidResidual
 {}
 
 
+void Foam::fsbi::solidResidual::setStiffness()
+{
+    stiffness_ = problem_->mass;
+    const elasticStencil& stencil = elastic_.stencil();
+    for (label g = 0; problem_->spring && g < elastic_.nGhosts(); ++g)
+    {
+        const label b = stencil.ghostFaces()[g];
+        const label i = stencil.firstBoundary() + g;
+        // in a row with half of the cell
+        const scalar k = 2*elastic_.stiffness()*stencil.compact()[i];
+        const scalar spring = problem_->spring->stiffness[b];
+        if (elastic_.kinds()[b] == solidBoundary::traction)
+        {
+            stiffness_[stencil.owner()[i]] += k*spring/(k + spring);
+        }
+    }
+}
+
+
 void Foam::fsbi::solidResidual::setProblem(const solidProblem& problem)
 {
     problem_ = &problem;
-    scale_ = elastic_.rowScale(problem.mass);
+    setStiffness();
+    scale_ = elastic_.rowScale(stiffness_);
     size_ = 0;
 
     // a linear law sees the gradient, others see 1 + gradient
@@ -55,6 +75,14 @@ Foam::scalar Foam::fsbi::solidResidual::squareSum
 bool Foam::fsbi::solidResidual::evaluate(const scalarList& x)
 {
     elastic_.residual(x.cdata(), problem_->given, rows_.begin());
+    if (problem_->spring)
+    {
+        elastic_.addLoad
+        (
+            problem_->spring->force(elastic_.boundaryDisplacement()),
+            rows_.begin()
+        );
+    }
     scalar sum = 0;
     forAll(problem_->force, celli)
     {
@@ -92,6 +120,13 @@ void Foam::fsbi::solidResidual::finishTangent
     const scalar* dx, scalar* dr
 ) const
 {
+    if (problem_->spring)
+    {
+        elastic_.addLoad
+        (
+            -problem_->spring->stiffness*elastic_.boundaryIncrement(), dr
+        );
+    }
     forAll(problem_->mass, celli)
     {
         for (label i = 3*celli; i < 3*celli + 3; ++i)

@@ -1,0 +1,127 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "couplingScheme.H"
+#include "elasticCoupling.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+defineTypeNameAndDebug(couplingScheme, 0);
+defineRunTimeSelectionTable(couplingScheme, entries);
+
+//- In the order of the solids
+static List<elasticRows*> rowsOf(PtrList<solidRegion>& solids)
+{
+    List<elasticRows*> rows(solids.size());
+    forAll(rows, e)
+    {
+        rows[e] = &solids[e].rows();
+    }
+    return rows;
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::fsbi::couplingScheme::couplingScheme
+(
+    fluidRegion& fluid,
+    PtrList<solidRegion>& solids,
+    const dictionary& dict
+)
+:
+    lagged_
+    (
+        checkedDictionary(dict).choice
+        (
+            "geometry", {"implicit", "lagged"}, "implicit"
+        ) == "lagged"
+    ),
+    fluid_(fluid),
+    solids_(solids),
+    elastic_(rowsOf(solids))
+{}
+
+
+Foam::autoPtr<Foam::fsbi::couplingScheme> Foam::fsbi::couplingScheme::New
+(
+    fluidRegion& fluid, PtrList<solidRegion>& solids
+)
+{
+    const dictionary dict
+    (
+        fluid.mesh().solutionDict().subOrEmptyDict("coupling")
+    );
+    const word scheme
+    (
+        checkedDictionary(dict).choice
+        (
+            "scheme", entriesConstructorTablePtr_->sortedToc(), "monolithic"
+        )
+    );
+    return entriesConstructorTablePtr_->cfind(scheme)()(fluid, solids, dict);
+}
+
+
+bool Foam::fsbi::couplingScheme::moveMesh()
+{
+    return lagged_ || fluid_.move(failure_);
+}
+
+
+Foam::vectorField Foam::fsbi::couplingScheme::force(const label solidi) const
+{
+    return surfaceForce(*elastic_[solidi], fluid_.traction());
+}
+
+
+bool Foam::fsbi::couplingScheme::advance
+(
+    List<bodyRows>& rows, List<sixVector>& loads
+)
+{
+    failure_.clear();
+    report_ = solverReport();
+    for (solidRegion& solid : solids_)
+    {
+        if (!solid.follow())
+        {
+            solid.forget();
+            solid.follow();
+        }
+    }
+    if (!fluid_.follow(failure_))
+    {
+        return false;
+    }
+    if (!solve(rows))
+    {
+        for (solidRegion& solid : solids_)
+        {
+            failure_ += solid.failureWarning();
+        }
+        return false;
+    }
+    return finish(rows, loads);
+}
+
+
+bool Foam::fsbi::couplingScheme::finish
+(
+    List<bodyRows>& rows, List<sixVector>& loads
+)
+{
+    fluid_.finish(rows, elastic_, loads);
+    bool good = true;
+    forAll(solids_, e)
+    {
+        good = good && solids_[e].finish(force(e), failure_);
+    }
+    return good;
+}

@@ -1,0 +1,71 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "monolithic.H"
+#include "addToRunTimeSelectionTable.H"
+
+#include <cmath>
+
+namespace Foam
+{
+namespace fsbi
+{
+
+defineTypeNameAndDebug(monolithic, 0);
+addToRunTimeSelectionTable(couplingScheme, monolithic, entries);
+
+//- Corrections of a step before it is taken for one that does not converge
+static const label maxCorrections = 15;
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+bool Foam::fsbi::monolithic::failed()
+{
+    if (!std::isfinite(report_.residual))
+    {
+        failure_ = "the solution is not finite: the scene has numbers that are"
+            " too large, or cells that are too thin";
+    }
+    else if (report_.failure.size())
+    {
+        failure_ = report_.failure;
+    }
+    return failure_.size();
+}
+
+
+bool Foam::fsbi::monolithic::solve(List<bodyRows>& rows)
+{
+    label iterations = 0;
+    for (label i = 0; i <= maxCorrections; ++i)
+    {
+        report_ = fluid_.correct(rows, elastic_, i == 0);
+        iterations += report_.iterations;
+        report_.iterations = iterations;
+        report_.corrections = i;
+        if (report_.converged || failed())
+        {
+            break;
+        }
+        for (solidRegion& solid : solids_)
+        {
+            solid.follow();
+        }
+        if (!moveMesh())
+        {
+            return false;
+        }
+    }
+    if (!report_.converged && failure_.empty())
+    {
+        failure_ =
+            "fluid and bodies do not agree after "
+          + name(maxCorrections) + " corrections: the residual is "
+          + name(report_.residual);
+    }
+    return report_.converged;
+}
