@@ -14,6 +14,10 @@ namespace fsbi
 defineTypeNameAndDebug(couplingScheme, 0);
 defineRunTimeSelectionTable(couplingScheme, entries);
 
+//- Difference of the forces on both sides of a surface, over what acts there,
+//  that is not round-off: parts of the surface are lost between processors
+static const scalar unbalanced = 1e-8;
+
 //- In the order of the solids
 static List<elasticRows*> rowsOf(PtrList<solidRegion>& solids)
 {
@@ -77,7 +81,26 @@ bool Foam::fsbi::couplingScheme::moveMesh()
 
 Foam::vectorField Foam::fsbi::couplingScheme::force(const label solidi) const
 {
-    return surfaceForce(*elastic_[solidi], fluid_.traction());
+    const elasticRows& body = *elastic_[solidi];
+    const vectorField onBody(surfaceForce(body, fluid_.traction()));
+    vector onFluid(Zero);
+    scalar size = 0;
+    for (const label i : body.fluid.faces)
+    {
+        onFluid += fluid_.traction()[i];
+        size += mag(fluid_.traction()[i]);
+    }
+    reduce(onFluid, sumOp<vector>());
+    reduce(size, sumOp<scalar>());
+    const vector difference(onFluid + gSum(onBody));
+    if (mag(difference) > unbalanced*size)
+    {
+        FatalErrorInFunction
+            << "The forces on both sides of the surface of body '"
+            << solids_[solidi].name() << "' differ by " << difference
+            << abort(FatalError);
+    }
+    return onBody;
 }
 
 
