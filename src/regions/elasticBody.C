@@ -100,7 +100,10 @@ void Foam::fsbi::elasticBody::readDeformed(const checkedDictionary& entries)
 
 Foam::vector Foam::fsbi::elasticBody::displacement(const point& x) const
 {
-    return deformed_->fromSphere(x - position_) - (x - position_);
+    return
+        deformed()
+      ? vector(deformed_->fromSphere(x - position_) - (x - position_))
+      : vector(Zero);
 }
 
 

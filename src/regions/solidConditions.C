@@ -156,7 +156,7 @@ void Foam::fsbi::solidConditions::collect()
     {
         if (held_[i])
         {
-            given_.faces[i] = Zero;
+            given_.faces[i] = heldAt_[i];
             given_.follower[i] = Zero;
             given_.pressure[i] = 0;
         }
@@ -164,9 +164,13 @@ void Foam::fsbi::solidConditions::collect()
 }
 
 
-void Foam::fsbi::solidConditions::hold(const boolList& faces)
+void Foam::fsbi::solidConditions::hold
+(
+    const boolList& faces, const vectorField& displacement
+)
 {
     held_ = faces;
+    heldAt_ = displacement;
     forAll(held_, i)
     {
         if (held_[i])

@@ -79,13 +79,16 @@ void Foam::fsbi::solidRegion::create(const bool saved)
     );
     createMotion();
     boolList held(conditions_->given().kinds.size(), false);
+    vectorField heldAt(held.size());
     forAll(held, i)
     {
+        const point& x = mesh().faceCentres()[mesh().nInternalFaces() + i];
         held[i] =
             conditions_->given().kinds[i] != solidBoundary::coupled
-         && body_.held(mesh().faceCentres()[mesh().nInternalFaces() + i]);
+         && body_.held(x);
+        heldAt[i] = body_.displacement(x);
     }
-    conditions_->hold(held);
+    conditions_->hold(held, heldAt);
     checkStatics();
 
     movedCells_.setSize(mesh().nCells(), Zero);
@@ -111,7 +114,7 @@ void Foam::fsbi::solidRegion::create(const bool saved)
     renewSolver();
     if (inFluid_)
     {
-        wetted_.reset(new wettedSurface(mesh(), held));
+        wetted_.reset(new wettedSurface(mesh(), held, body_));
         rows_.elastic = &elastic_();
         rows_.given = &conditions_->given();
         rows_.x = &x_;

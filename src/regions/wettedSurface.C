@@ -143,7 +143,7 @@ Foam::fsbi::surfaceSide Foam::fsbi::wettedSurface::sideOf
 
 Foam::fsbi::wettedSurface::wettedSurface
 (
-    const fvMesh& mesh, const boolList& held
+    const fvMesh& mesh, const boolList& held, const elasticBody& body
 )
 :
     name_(mesh.name()),
@@ -151,6 +151,7 @@ Foam::fsbi::wettedSurface::wettedSurface
     fit_(reference_),
     solid_(sideOf(mesh, patchOf(mesh), reference_)),
     heldPoints_(solid_.nPoints, false),
+    heldAt_(solid_.nPoints, Zero),
     displacement_(solid_.nPoints + solid_.nFaces, Zero),
     motion_(1)
 {
@@ -166,6 +167,10 @@ Foam::fsbi::wettedSurface::wettedSurface
         {
             heldPoints_[v] = heldPoints_[v] || heldFaces[i].x() > 0;
         }
+    }
+    forAll(heldAt_, i)
+    {
+        heldAt_[i] = body.displacement(reference_.points()[i]);
     }
     motion_.start(displacement_);
 }
@@ -197,6 +202,7 @@ Foam::vectorField Foam::fsbi::wettedSurface::part
 void Foam::fsbi::wettedSurface::setSurface(elasticRows& rows) const
 {
     rows.heldPoints = heldPoints_;
+    rows.heldAt = heldAt_;
     rows.solid = solid_;
 }
 

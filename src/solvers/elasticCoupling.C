@@ -35,7 +35,7 @@ Foam::fsbi::surfaceDisplacement::surfaceDisplacement
     {
         if (body.heldPoints[i])
         {
-            points[i] = Zero;
+            points[i] = derivative ? vector::zero : body.heldAt[i];
         }
     }
 }
