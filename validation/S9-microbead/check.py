@@ -1,0 +1,57 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Compare the shapes for the steps, and the tether with the fluid's force;
+write results.csv and draw."""
+
+import glob
+import sys
+
+import numpy as np
+
+from fsbi import plots
+from fsbi.case import Case
+from fsbi.results import Results
+
+BEAD = "elasticBodies/microbead/"
+AXES = ("longest", "middle", "shortest")
+quick = sys.argv[1] == "true"
+results = Results("S9")
+
+
+def imbalance(run):
+    """Largest |tether + force of the fluid| over the force."""
+    tether = run.history[BEAD + "tether"].array[:, 1:]
+    force = run.history[BEAD + "fluidForce"].array[:, 1:]
+    return np.max(np.linalg.norm(tether + force, axis=1) / np.linalg.norm(force, axis=1))
+
+
+def draw(runs):
+    figure, axes = plots.plt.subplots()
+    for i, (step, run) in enumerate(runs):
+        shape = run.history[BEAD + "semiAxes"]
+        for name in AXES:
+            axes.plot(1e-3 * shape["time"], shape[name], color=plots.COLOURS[i],
+                      ls=("-", "--", ":")[i % 3],
+                      label=f"steps of {step} µs" if name == "longest" else None)
+    axes.set(xlabel="time (ms)", ylabel="semi-axes (µm)")
+    axes.set_title("A tethered microbead beside a wall", loc="left")
+    axes.legend()
+    plots.save(figure, "shape.png")
+
+
+steps = sorted(int(folder.removeprefix("runs/dt")) for folder in glob.glob("runs/dt*"))
+runs = [(step, Case(f"runs/dt{step}")) for step in steps]
+finest = runs[0][1]
+for step, run in runs:
+    cost = dict(seconds=run.seconds, cells=run.cells)
+    if run is not finest:
+        for name in AXES:
+            axis, exact = (r.history[BEAD + "semiAxes"][name][-1] for r in (run, finest))
+            results.add(f"{name}_semiaxis_dt{step}", axis, exact,
+                        0.02 if quick else 0.01, **cost)
+    results.add(f"tether_plus_force_dt{step}_abs", imbalance(run), 0, 1e-6, **cost)
+    print(f"    steps of {step} µs: {run.seconds:.0f} s, "
+          f"{finest.seconds / run.seconds:.1f} times as fast as {steps[0]} µs")
+if not quick:
+    draw(runs)
+results.write()
