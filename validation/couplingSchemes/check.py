@@ -27,7 +27,7 @@ class Run(Case):
 
 
 def compare(runs):
-    results = Results("coupling")
+    results = Results("couplingSchemes")
     same = {run.ratio: run.axes for run in runs if run.scheme == "monolithic"}
     for run in runs:
         cost = dict(seconds=run.seconds, cells=run.cells)
@@ -55,7 +55,7 @@ def draw(runs):
                      **style)
     left.set(xlabel="µ/(G Δt)", ylabel="passes (Newton's corrections) a step")
     right.set(xlabel="µ/(G Δt)", ylabel="seconds a step, solvers")
-    left.legend(fontsize=8)
+    left.legend(fontsize=8, loc="lower left", bbox_to_anchor=(0.02, 0.1))
     plots.save(figure, "passes.png")
 
 
