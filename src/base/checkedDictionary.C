@@ -20,6 +20,23 @@ const Foam::dictionary& Foam::fsbi::checkedDictionary::subDictOrEmpty
 }
 
 
+const Foam::dictionary& Foam::fsbi::checkedDictionary::subDict
+(
+    const word& key
+) const
+{
+    known_.insert(key);
+    const entry* e = dict_.findEntry(key);
+    if (e && !e->isDict())
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry '" << key << "' must be a sub-dictionary: " << key
+            << " { ... }" << exit(FatalIOError);
+    }
+    return dict_.subDict(key);
+}
+
+
 Foam::scalar Foam::fsbi::checkedDictionary::positive(const word& key) const
 {
     const scalar value = get<scalar>(key);
