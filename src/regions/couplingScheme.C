@@ -113,6 +113,7 @@ bool Foam::fsbi::couplingScheme::advance
     report_ = solverReport();
     for (solidRegion& solid : solids_)
     {
+        solid.setRows();
         if (!solid.follow())
         {
             solid.forget();

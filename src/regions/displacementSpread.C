@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "displacementSpread.H"
+#include "compactEntries.H"
 #include "polyMesh.H"
 #include "processorPolyPatch.H"
 #include "globalIndex.H"
@@ -98,8 +99,7 @@ void Foam::fsbi::displacementSpread::eachPair
 
 void Foam::fsbi::displacementSpread::createMatrix()
 {
-    DynamicList<PetscInt> rows, columns;
-    DynamicList<PetscScalar> entries;
+    compactEntries entries;
     forAll(mesh_.cells(), celli)
     {
         eachPair
@@ -109,9 +109,7 @@ void Foam::fsbi::displacementSpread::createMatrix()
             {
                 if (row_[i] >= 0 && row_[j] >= 0)
                 {
-                    rows.append(row_[i]);
-                    columns.append(row_[j]);
-                    entries.append(k);
+                    entries.add(row_[i], row_[j], k);
                 }
                 else if (row_[i] >= 0)
                 {
@@ -120,20 +118,11 @@ void Foam::fsbi::displacementSpread::createMatrix()
             }
         );
     }
-    const PetscInt n = owned_.size();
-    petscCheck(MatCreate(communicator(), matrix_.create()));
-    petscCheck(MatSetSizes(matrix_, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
-    petscCheck(MatSetType(matrix_, MATAIJ));
-    petscCheck
+    entries.create
     (
-        MatSetPreallocationCOO
-        (
-            matrix_, rows.size(), rows.data(), columns.data()
-        )
+        communicator(), owned_.size(), matrix_, solution_, source_
     );
-    petscCheck(MatSetValuesCOO(matrix_, entries.data(), ADD_VALUES));
-    petscCheck(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
-    petscCheck(MatCreateVecs(matrix_, solution_.create(), source_.create()));
+    entries.fill(matrix_);
 }
 
 

@@ -58,24 +58,19 @@ bool Foam::fsbi::scene::advance()
 {
     failure_.clear();
     report_ = solverReport();
-    return
-        !fluid_ ? advanceSolids()
-      : solids_.empty() ? advanceFluid()
-      : advanceCoupled();
+    return fluid_ ? advanceFlow() : advanceSolids();
 }
 
 
-bool Foam::fsbi::scene::advanceCoupled()
+bool Foam::fsbi::scene::solveCoupled()
 {
     const untrapped scope;
-    for (rigidBody& body : bodies_)
-    {
-        body.advance(time_.deltaTValue());
-    }
     List<bodyRows> rows(bodyRowsNow());
     List<sixVector> loads(rows.size());
+    const label before = report_.iterations;
     const bool good = coupling_->advance(rows, loads);
     report_ = coupling_->report();
+    report_.iterations += before;
     failure_ = coupling_->failure();
     forAll(rows, b)
     {
@@ -85,7 +80,7 @@ bool Foam::fsbi::scene::advanceCoupled()
 }
 
 
-bool Foam::fsbi::scene::advanceFluid()
+bool Foam::fsbi::scene::advanceFlow()
 {
     bool extrapolated = true;
     for (const rigidBody& body : bodies_)
@@ -99,7 +94,11 @@ bool Foam::fsbi::scene::advanceFluid()
         {
             body.advance(time_.deltaTValue());
         }
-        if (!fluid_->follow(failure_) || !solveFluid())
+        const bool good =
+            coupling_
+          ? solveCoupled()
+          : fluid_->follow(failure_) && solveFluid();
+        if (!good)
         {
             return false;
         }

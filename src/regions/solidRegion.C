@@ -139,6 +139,15 @@ bool Foam::fsbi::solidRegion::take(string& failure)
 }
 
 
+void Foam::fsbi::solidRegion::setRows()
+{
+    conditions_->evaluate(movedFaces_);
+    rows_.mass = inertia();
+    rows_.force = loads();
+    wetted_->setVelocity(rows_);
+}
+
+
 bool Foam::fsbi::solidRegion::follow()
 {
     const bool valid = evaluate();
@@ -197,7 +206,9 @@ Foam::string Foam::fsbi::solidRegion::failureWarning()
     now.setDeformation(mesh(), volumes_, material_(), elastic_());
     const string text(material_->warning(now.minJ, now.minStretch));
     return
-        text.empty() ? string() : string(" (body '" + name() + "': " + text + ")");
+        text.empty()
+      ? string()
+      : string(" (body '" + name() + "': " + text + ")");
 }
 
 
@@ -288,11 +299,7 @@ void Foam::fsbi::solidRegion::beginStep()
     }
     if (wetted_)
     {
-        conditions_->evaluate(movedFaces_);
-        rows_.mass = inertia();
-        rows_.force = loads();
         wetted_->beginStep(dt);
-        wetted_->setVelocity(rows_);
     }
     const string text
     (

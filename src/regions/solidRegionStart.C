@@ -188,6 +188,14 @@ bool Foam::fsbi::solidRegion::isStatic() const
 
 void Foam::fsbi::solidRegion::checkStatics() const
 {
+    if (body_.tethered() && !inFluid_)
+    {
+        FatalErrorInFunction
+            << "Body '" << name() << "' has a 'tether' in constant/bodies, but"
+            << " there is no fluid (constant/fluid/material) whose force it"
+            << " could cancel; hold a patch in 0/" << name() << "/D instead"
+            << exit(FatalError);
+    }
     if (isStatic() && !inFluid_)
     {
         conditions_->checkSupports();

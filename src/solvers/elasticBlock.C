@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "elasticBlock.H"
-#include "sharedVertices.H"
+#include "compactPressures.H"
 
 Foam::fsbi::elasticBlock::elasticBlock
 (
@@ -167,44 +167,20 @@ void Foam::fsbi::elasticBlock::addPressures
     const scalar* r, scalar* z, vectorField& rhs, vectorField& force
 ) const
 {
-    if (!elastic_.mixed())
+    const auto add = [&](const label i, const vector& pull)
     {
-        return;
-    }
-    const label start = 3*(stencil_.nCells() + stencil_.nGhosts());
-    const labelList& owned = elastic_.ownedVertices();
-    pressure_ = Zero;
-    forAll(owned, i)
-    {
-        z[start + i] =
-            r[start + i]
-           /(stencil_.vertexVolume()[owned[i]]*elastic_.compliance());
-        pressure_[owned[i]] = z[start + i];
-    }
-    sharedVertices::sum<1>
-    (
-        stencil_.mesh(), pressure_.begin(), stencil_.halo().size()
-    );
-    for (label i = 0; i < stencil_.nFaces(); ++i)
-    {
-        const vector pull(elastic_.faceMean(i, pressure_)*stencil_.area()[i]);
-        const label g = i - stencil_.firstBoundary();
-        if
-        (
-            g >= 0
-         && elastic_.kinds()[stencil_.ghostFaces()[g]]
-         == solidBoundary::traction
-        )
+        if (elastic_.kindAt(i) == solidBoundary::traction)
         {
-            force[g] += pull;
-            continue;
+            force[i - stencil_.firstBoundary()] += pull;
+            return;
         }
         rhs[firstRow_ + stencil_.owner()[i]] -= pull;
         if (stencil_.neighbour()[i] < stencil_.nCells())
         {
             rhs[firstRow_ + stencil_.neighbour()[i]] += pull;
         }
-    }
+    };
+    compactPressures(elastic_, r, z, pressure_, add);
 }
 
 

@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "elasticPreconditioner.H"
-#include "sharedVertices.H"
+#include "compactPressures.H"
 
 Foam::fsbi::elasticPreconditioner::elasticPreconditioner
 (
@@ -136,42 +136,19 @@ void Foam::fsbi::elasticPreconditioner::addPressures
     const scalar* r, scalar* z
 ) const
 {
-    if (!elastic_.mixed())
+    const auto add = [this](const label i, const vector& pull)
     {
-        return;
-    }
-    const label start = 3*(mesh_.nCells() + stencil_.nGhosts());
-    const labelList& owned = elastic_.ownedVertices();
-    pressure_ = Zero;
-    forAll(owned, i)
-    {
-        z[start + i] =
-            r[start + i]
-           /(stencil_.vertexVolume()[owned[i]]*elastic_.compliance());
-        pressure_[owned[i]] = z[start + i];
-    }
-    sharedVertices::sum<1>(mesh_, pressure_.begin(), stencil_.halo().size());
-    for (label i = 0; i < stencil_.nFaces(); ++i)
-    {
-        const label g = i - stencil_.firstBoundary();
-        if
-        (
-            g < 0
-         || elastic_.kinds()[stencil_.ghostFaces()[g]]
-         != solidBoundary::traction
-        )
+        if (elastic_.kindAt(i) == solidBoundary::traction)
         {
-            const vector force
-            (
-                elastic_.faceMean(i, pressure_)*stencil_.area()[i]
-            );
-            rhs_[stencil_.owner()[i]] -= force;
-            if (stencil_.neighbour()[i] < mesh_.nCells())
-            {
-                rhs_[stencil_.neighbour()[i]] += force;
-            }
+            return;
         }
-    }
+        rhs_[stencil_.owner()[i]] -= pull;
+        if (stencil_.neighbour()[i] < mesh_.nCells())
+        {
+            rhs_[stencil_.neighbour()[i]] += pull;
+        }
+    };
+    compactPressures(elastic_, r, z, pressure_, add);
 }
 
 

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "segregated.H"
+#include "compactEntries.H"
 #include "globalIndex.H"
 
 //- Accuracy of the solution for one component in one sweep
@@ -59,13 +60,10 @@ void Foam::fsbi::segregated::setMatrix(const scalarField& mass)
     }
     stencil.halo().fill(cell.data(), 1);
 
-    DynamicList<PetscInt> rows, columns;
-    DynamicList<PetscScalar> entries;
+    compactEntries entries;
     const auto add = [&](const label row, const label column, const scalar k)
     {
-        rows.append(PetscInt(cell[row]));
-        columns.append(PetscInt(cell[column]));
-        entries.append(k);
+        entries.add(cell[row], cell[column], k);
     };
     for (label i = 0; i < nCells; ++i)
     {
@@ -96,20 +94,8 @@ void Foam::fsbi::segregated::setMatrix(const scalarField& mass)
             add(P, P, 2*coeff(i));
         }
     }
-    const PetscInt n = nCells;
-    petscCheck(MatCreate(PETSC_COMM_WORLD, matrix_.create()));
-    petscCheck(MatSetSizes(matrix_, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
-    petscCheck(MatSetType(matrix_, MATAIJ));
-    petscCheck
-    (
-        MatSetPreallocationCOO
-        (
-            matrix_, rows.size(), rows.data(), columns.data()
-        )
-    );
-    petscCheck(MatSetValuesCOO(matrix_, entries.data(), INSERT_VALUES));
-    petscCheck(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
-    petscCheck(MatCreateVecs(matrix_, solution_.create(), source_.create()));
+    entries.create(PETSC_COMM_WORLD, nCells, matrix_, solution_, source_);
+    entries.fill(matrix_);
 
     PC pc;
     petscCheck(KSPCreate(PETSC_COMM_WORLD, krylov_.create()));

@@ -28,29 +28,6 @@ Foam::fsbi::stokesPreconditioner::stokesPreconditioner
 }
 
 
-void Foam::fsbi::stokesPreconditioner::createMatrix
-(
-    const compactEntries& entries
-)
-{
-    const PetscInt n = nRows_;
-    petscCheck(MatCreate(PETSC_COMM_WORLD, matrix_.create()));
-    petscCheck(MatSetSizes(matrix_, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
-    petscCheck(MatSetType(matrix_, MATAIJ));
-    petscCheck
-    (
-        MatSetPreallocationCOO
-        (
-            matrix_, entries.rows.size(),
-            const_cast<PetscInt*>(entries.rows.cdata()),
-            const_cast<PetscInt*>(entries.columns.cdata())
-        )
-    );
-    petscCheck(MatSetOption(matrix_, MAT_SPD, PETSC_TRUE));
-    petscCheck(MatCreateVecs(matrix_, solution_.create(), source_.create()));
-}
-
-
 void Foam::fsbi::stokesPreconditioner::addFluid
 (
     const globalIndex& rows, compactEntries& entries
@@ -102,9 +79,9 @@ void Foam::fsbi::stokesPreconditioner::setMatrix()
     }
     if (!matrix_)
     {
-        createMatrix(entries);
+        entries.create(PETSC_COMM_WORLD, nRows_, matrix_, solution_, source_);
     }
-    petscCheck(MatSetValuesCOO(matrix_, entries.values.data(), INSERT_VALUES));
+    entries.fill(matrix_);
 }
 
 

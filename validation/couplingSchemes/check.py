@@ -34,7 +34,7 @@ def compare(runs):
         name = f"{run.scheme}_r{run.ratio:g}"
         print(f"    {name}: passes {run.passes}, {run.seconds:.2f} s")
         if run.scheme == "monolithic":
-            results.add(f"corrections_{name}_abs", run.passes.max(), 0, 6, **cost)
+            results.add(f"corrections_{name}_abs", run.passes.max(), 0, 5, **cost)
         else:
             difference = np.abs(run.axes / same[run.ratio] - 1).max()
             # one pass a step leaves what is not solved
