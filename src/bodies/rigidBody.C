@@ -205,6 +205,14 @@ Foam::fsbi::bodySurface Foam::fsbi::rigidBody::placedSurface() const
 }
 
 
+Foam::vectorField Foam::fsbi::rigidBody::pointVelocity() const
+{
+    return
+        linear(now_.velocity)
+      + (angular(now_.velocity) ^ (rotation() & surface_.points()));
+}
+
+
 Foam::fsbi::sixVector Foam::fsbi::rigidBody::momentum(const state& s) const
 {
     const tensor R(s.orientation.R());

@@ -1,0 +1,196 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "loads.H"
+
+Foam::fsbi::loads::loads(const labelList& nTriangles)
+:
+    nTriangles_(nTriangles),
+    force_(nTriangles.size(), sixVector(scalar(0))),
+    stiffness_(nTriangles.size(), sixMatrix(sixVector(scalar(0))))
+{}
+
+
+void Foam::fsbi::loads::clear()
+{
+    force_ = sixVector(scalar(0));
+    stiffness_ = sixMatrix(sixVector(scalar(0)));
+    springs_.clear();
+}
+
+
+void Foam::fsbi::loads::add(const spring& s)
+{
+    springs_.append(s);
+}
+
+
+void Foam::fsbi::loads::add
+(
+    const label bodyi, const sixVector& force, const sixMatrix& stiffness
+)
+{
+    forAll(force, k)
+    {
+        force_[bodyi][k] += force[k];
+        forAll(force, m)
+        {
+            stiffness_[bodyi][k][m] += stiffness[k][m];
+        }
+    }
+}
+
+
+bool Foam::fsbi::loads::stiff(const label bodyi) const
+{
+    for (const sixVector& row : stiffness_[bodyi])
+    {
+        for (const scalar s : row)
+        {
+            if (s != 0)
+            {
+                return true;
+            }
+        }
+    }
+    for (const spring& s : springs_)
+    {
+        if
+        (
+            (s.a.body == bodyi || s.b.body == bodyi) && magSqr(s.stiffness) > 0
+        )
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+bool Foam::fsbi::loads::onTriangles() const
+{
+    const auto elastic = [this](const site& s)
+    {
+        return s.body >= 0 && nTriangles_[s.body] > 0;
+    };
+    for (const spring& s : springs_)
+    {
+        if (elastic(s.a) || elastic(s.b))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+Foam::fsbi::loads::onBodies Foam::fsbi::loads::zero() const
+{
+    onBodies result;
+    result.whole.setSize(nTriangles_.size(), sixVector(scalar(0)));
+    result.triangles.setSize(nTriangles_.size());
+    forAll(nTriangles_, b)
+    {
+        result.triangles[b] = vectorField(nTriangles_[b], Zero);
+    }
+    return result;
+}
+
+
+Foam::vector Foam::fsbi::loads::displacement
+(
+    const site& s, const onBodies& u
+) const
+{
+    if (s.body < 0)
+    {
+        return Zero;
+    }
+    return
+        nTriangles_[s.body]
+      ? u.triangles[s.body][s.triangle]
+      : linear(u.whole[s.body]) + (angular(u.whole[s.body]) ^ s.arm);
+}
+
+
+void Foam::fsbi::loads::pull
+(
+    const site& s, const vector& force, onBodies& sum
+) const
+{
+    if (s.body < 0)
+    {
+        return;
+    }
+    if (nTriangles_[s.body])
+    {
+        sum.triangles[s.body][s.triangle] += force;
+        return;
+    }
+    const sixVector add(join(force, s.arm ^ force));
+    forAll(add, k)
+    {
+        sum.whole[s.body][k] += add[k];
+    }
+}
+
+
+Foam::fsbi::loads::onBodies Foam::fsbi::loads::forces() const
+{
+    onBodies sum(zero());
+    sum.whole = force_;
+    for (const spring& s : springs_)
+    {
+        pull(s.a, s.force, sum);
+        pull(s.b, -s.force, sum);
+    }
+    return sum;
+}
+
+
+Foam::fsbi::loads::onBodies Foam::fsbi::loads::changes
+(
+    const onBodies& u
+) const
+{
+    onBodies sum(zero());
+    forAll(stiffness_, b)
+    {
+        forAll(stiffness_[b], k)
+        {
+            forAll(stiffness_[b][k], m)
+            {
+                sum.whole[b][k] -= stiffness_[b][k][m]*u.whole[b][m];
+            }
+        }
+    }
+    for (const spring& s : springs_)
+    {
+        const vector force
+        (
+           -(s.stiffness & (displacement(s.a, u) - displacement(s.b, u)))
+        );
+        pull(s.a, force, sum);
+        pull(s.b, -force, sum);
+    }
+    return sum;
+}
+
+
+Foam::scalarField Foam::fsbi::loads::springConstants(const label bodyi) const
+{
+    scalarField sum(nTriangles_[bodyi], Zero);
+    for (const spring& s : springs_)
+    {
+        for (const site* end : {&s.a, &s.b})
+        {
+            if (end->body == bodyi)
+            {
+                sum[end->triangle] += tr(s.stiffness)/3;
+            }
+        }
+    }
+    return sum;
+}

@@ -1,0 +1,129 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "effect.H"
+#include "OSspecific.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+defineTypeNameAndDebug(effect, 0);
+defineRunTimeSelectionTable(effect, entries);
+
+//- Effects that come with the project, each in a library of its own
+static const wordList ours({"bonds", "magnetics", "repulsion"});
+
+//- bonds -> libfsbiBonds.so
+static void loadLibraryOf(const word& type)
+{
+    std::string name(type);
+    name[0] = std::toupper(name[0]);
+    dlOpen("libfsbi" + name + ".so", true);
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::fsbi::effect::effect(const surroundings& around)
+:
+    around_(around)
+{}
+
+
+Foam::autoPtr<Foam::fsbi::effect> Foam::fsbi::effect::New
+(
+    const entry& e, const surroundings& around
+)
+{
+    const word& type = e.keyword();
+    const auto known = [&type]()
+    {
+        return
+            entriesConstructorTablePtr_
+         && entriesConstructorTablePtr_->found(type);
+    };
+    if (!known() && ours.found(type))
+    {
+        loadLibraryOf(type);
+    }
+    if (!known())
+    {
+        wordList valid(ours);
+        if (entriesConstructorTablePtr_)
+        {
+            valid.append(entriesConstructorTablePtr_->sortedToc());
+        }
+        FatalIOErrorInFunction(e.dict())
+            << "There is no effect '" << type << "'; valid effects are "
+            << flatOutput(wordHashSet(valid).sortedToc())
+            << exit(FatalIOError);
+    }
+    return (*entriesConstructorTablePtr_)[type](e.dict(), around);
+}
+
+
+Foam::label Foam::fsbi::surroundings::findBody(const word& name) const
+{
+    forAll(bodies, b)
+    {
+        if (bodies[b].name() == name)
+        {
+            return b;
+        }
+    }
+    return -1;
+}
+
+
+Foam::label Foam::fsbi::surroundings::findWall(const word& name) const
+{
+    forAll(walls, w)
+    {
+        if (walls[w].name == name)
+        {
+            return w;
+        }
+    }
+    return -1;
+}
+
+
+Foam::wordList Foam::fsbi::surroundings::names() const
+{
+    wordList all;
+    forAll(bodies, b)
+    {
+        all.append(bodies[b].name());
+    }
+    for (const planeWall& wall : walls)
+    {
+        all.append(wall.name);
+    }
+    return all;
+}
+
+
+Foam::label Foam::fsbi::surroundings::bodyIndex
+(
+    const word& name, const dictionary& where
+) const
+{
+    const label b = findBody(name);
+    if (b < 0)
+    {
+        wordList valid;
+        forAll(bodies, i)
+        {
+            valid.append(bodies[i].name());
+        }
+        FatalIOErrorInFunction(where)
+            << "There is no body '" << name << "'; the bodies are "
+            << flatOutput(valid) << exit(FatalIOError);
+    }
+    return b;
+}

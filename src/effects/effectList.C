@@ -1,0 +1,175 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "effectList.H"
+#include "IOdictionary.H"
+
+Foam::fsbi::effectList::effectList
+(
+    const Time& time,
+    const UPtrList<immersedBody>& bodies,
+    const labelList& nTriangles,
+    const List<planeWall>& walls,
+    const scalar mu,
+    timings& t,
+    const dictionary& saved
+)
+:
+    timings_(t),
+    around_({time, bodies, walls, mu}),
+    loads_(nTriangles)
+{
+    read(saved);
+}
+
+
+void Foam::fsbi::effectList::read(const dictionary& saved)
+{
+    const IOdictionary dict
+    (
+        IOobject
+        (
+            "effects", around_.time.caseConstant(), around_.time,
+            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
+        )
+    );
+    for (const entry& e : dict)
+    {
+        if (e.keyword() == "FoamFile")
+        {
+            continue;
+        }
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry '" << e.keyword() << "' is no dictionary: an effect"
+                << " is name { ... }" << exit(FatalIOError);
+        }
+        effects_.append(effect::New(e, around_));
+    }
+    restore(saved);
+    if (effects_.size())
+    {
+        Info<< "Effects:";
+        for (const effect& e : effects_)
+        {
+            Info<< ' ' << e.type();
+        }
+        Info<< nl << endl;
+    }
+}
+
+
+const Foam::fsbi::loads& Foam::fsbi::effectList::apply()
+{
+    loads_.clear();
+    for (const effect& e : effects_)
+    {
+        auto timer = timings_.measure(e.type());
+        e.apply(loads_);
+    }
+    return loads_;
+}
+
+
+Foam::scalar Foam::fsbi::effectList::longestStep(string& reason) const
+{
+    scalar longest = GREAT;
+    for (const effect& e : effects_)
+    {
+        auto timer = timings_.measure(e.type());
+        string why;
+        const scalar dt = e.longestStep(why);
+        if (dt < longest)
+        {
+            longest = dt;
+            reason = why;
+        }
+    }
+    return longest;
+}
+
+
+bool Foam::fsbi::effectList::acceptable(string& reason) const
+{
+    for (const effect& e : effects_)
+    {
+        auto timer = timings_.measure(e.type());
+        if (!e.acceptable(reason))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
+void Foam::fsbi::effectList::declare(recording& history) const
+{
+    for (const effect& e : effects_)
+    {
+        e.declare(history);
+    }
+}
+
+
+void Foam::fsbi::effectList::record(recording& history) const
+{
+    for (const effect& e : effects_)
+    {
+        e.record(history);
+    }
+}
+
+
+void Foam::fsbi::effectList::beginStep()
+{
+    for (effect& e : effects_)
+    {
+        auto timer = timings_.measure(e.type());
+        e.beginStep();
+    }
+}
+
+
+void Foam::fsbi::effectList::rewind()
+{
+    for (effect& e : effects_)
+    {
+        e.rewind();
+    }
+}
+
+
+void Foam::fsbi::effectList::endStep()
+{
+    for (effect& e : effects_)
+    {
+        e.endStep();
+    }
+}
+
+
+void Foam::fsbi::effectList::save(dictionary& state) const
+{
+    for (const effect& e : effects_)
+    {
+        dictionary dict;
+        e.save(dict);
+        state.set(e.type(), dict);
+    }
+}
+
+
+void Foam::fsbi::effectList::restore(const dictionary& state)
+{
+    for (effect& e : effects_)
+    {
+        if (state.found(e.type()))
+        {
+            e.restore(state.subDict(e.type()));
+        }
+    }
+}
