@@ -31,8 +31,7 @@ Foam::fsbi::materialPoint Foam::fsbi::materialPoint::nearest
 }
 
 
-Foam::DynamicList<Foam::fsbi::materialPoint>
-Foam::fsbi::materialPoint::spread
+Foam::labelList Foam::fsbi::materialPoint::numbers
 (
     const scalar density,
     const counterRandom& random,
@@ -40,14 +39,29 @@ Foam::fsbi::materialPoint::spread
     const UList<triFace>& triangles
 )
 {
-    DynamicList<materialPoint> result;
+    labelList result(triangles.size());
     scalar sum = random.at(0, triangles.size()).uniform();
     forAll(triangles, i)
     {
         const scalar before = std::floor(sum);
         sum += density*triangles[i].tri(points).mag();
+        result[i] = label(std::floor(sum) - before);
+    }
+    return result;
+}
+
+
+Foam::DynamicList<Foam::fsbi::materialPoint>
+Foam::fsbi::materialPoint::spread
+(
+    const UList<label>& numbers, const counterRandom& random
+)
+{
+    DynamicList<materialPoint> result;
+    forAll(numbers, i)
+    {
         counterRandom::stream draws(random.at(0, i));
-        for (label n = label(std::floor(sum) - before); n > 0; --n)
+        for (label n = 0; n < numbers[i]; ++n)
         {
             const scalar root = Foam::sqrt(draws.uniform());
             const scalar u = draws.uniform();

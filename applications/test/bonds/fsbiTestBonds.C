@@ -23,5 +23,6 @@ int main()
     Foam::fsbi::checkContact(c);
     Foam::fsbi::checkKinetics(c);
     Foam::fsbi::checkSpread(c);
+    Foam::fsbi::checkEffect(c);
     return c.finish();
 }

@@ -110,14 +110,15 @@ void checkSpread(checks& c)
     bool exact = true;
     for (label seed = 0; seed < runs; ++seed)
     {
+        const counterRandom random(seed, "kind");
         const auto sites = materialPoint::spread
         (
-            13.3, counterRandom(seed, "kind"), points, triangles
+            materialPoint::numbers(13.3, random, points, triangles), random
         );
         exact = exact && mag(sites.size() - 13.3*area) < 1;
         for (const materialPoint& p : sites)
         {
-            const point x(p.position(points, triangles));
+            const point x(p.on(points, triangles));
             if (p.triangle < 2)
             {
                 xs += x.x();
@@ -149,7 +150,7 @@ void checkSpread(checks& c)
         "nearest point of a triangle as a material point",
         mag
         (
-            p.position(points, triangles)
+            p.on(points, triangles)
           - t.nearestPoint({5, 2, 3}).rawPoint()
         ), 1e-14
     );
