@@ -1,0 +1,193 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "bonds.H"
+#include "addToRunTimeSelectionTable.H"
+#include "units.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+    defineTypeNameAndDebug(bonds, 0);
+    addToRunTimeSelectionTable(effect, bonds, entries);
+}
+}
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsbi::bonds::bonds(const dictionary& dict, const surroundings& around)
+:
+    effect(around),
+    maxStretch_(1),
+    step_(0),
+    dt_(0)
+{
+    const checkedDictionary entries(dict);
+    const scalar kT =
+        units(entries).Boltzmann()*entries.positive("temperature");
+    const label seed = entries.get<label>("seed");
+    if (seed < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'seed' must not be negative, but is " << seed
+            << exit(FatalIOError);
+    }
+    maxStretch_ = entries.positive("maxStretch", 1);
+    adhesion_.reset
+    (
+        new adhesion
+        (
+            entries.subDict("molecules"), entries.subDict("pairs"), around, kT,
+            seed
+        )
+    );
+    entries.finish();
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::point Foam::fsbi::bonds::end
+(
+    const surfacesNow& surfaces, const bond& b
+) const
+{
+    const label surface = adhesion_->populations()[b.ligands].surface;
+    const point y(bondStep::end(adhesion_(), surfaces, b));
+    return
+        surfaces.isWall(surface)
+      ? point(y + dt_*surfaces.wall(surface).velocity) : y;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsbi::bonds::apply(loads& l) const
+{
+    const surfacesNow now(around_);
+    const auto site = [&](const label body, const label triangle, const point& x)
+    {
+        return loads::site
+        {
+            body, triangle, x - around_.bodies[body].placed().centre
+        };
+    };
+    for (const auto& entry : bonds_)
+    {
+        const bond& b = entry.second;
+        const bondPair& pair = adhesion_->pairs()[b.pair];
+        const adhesion::siteSet& s = adhesion_->sets()[entry.first.first];
+        const materialPoint& start = s.sites[entry.first.second];
+        const label other = adhesion_->populations()[b.ligands].surface;
+
+        const point x(now.position(s.body, start));
+        const point y(end(now, b));
+        const scalar distance = max(mag(y - x), VSMALL);
+        const vector e((y - x)/distance);
+        const scalar f = pair.law->force(pair.length(x, y));
+        const tensor along(e*e);
+        l.add
+        (
+            {
+                site(s.body, start.triangle, x),
+                now.isWall(other)
+              ? loads::site() : site(other, b.end.triangle, y),
+                f*e,
+                pair.law->s()*along
+              + max(f/distance, scalar(0))*(tensor::I - along)
+            }
+        );
+    }
+}
+
+
+void Foam::fsbi::bonds::beginStep()
+{
+    old_ = bonds_;
+    events_.clear();
+    const scalar dt = around_.time.deltaTValue();
+    const surfacesNow now(around_);
+    bondStep step
+    (
+        adhesion_(), now, bonds_, events_, around_.time.value() - dt, step_
+    );
+    step.advance(dt);
+    dt_ = dt;
+}
+
+
+void Foam::fsbi::bonds::rewind()
+{
+    bonds_ = old_;
+    events_.clear();
+    dt_ = 0;
+}
+
+
+void Foam::fsbi::bonds::endStep()
+{
+    const surfacesNow now(around_);
+    for (auto& entry : bonds_)
+    {
+        bond& b = entry.second;
+        if (now.isWall(adhesion_->populations()[b.ligands].surface))
+        {
+            b.anchor = end(now, b);
+        }
+    }
+    dt_ = 0;
+    ++step_;
+}
+
+
+void Foam::fsbi::bonds::save(dictionary& state) const
+{
+    adhesion_->save(state);
+    state.set("step", step_);
+    labelList labels;
+    scalarList numbers;
+    for (const auto& entry : bonds_)
+    {
+        const bond& b = entry.second;
+        labels.append
+        (
+            labelList
+            ({
+                entry.first.first, entry.first.second, b.pair, b.ligands,
+                b.end.triangle
+            })
+        );
+        numbers.append
+        (
+            scalarList
+            ({
+                b.end.b, b.end.c, b.anchor.x(), b.anchor.y(), b.anchor.z()
+            })
+        );
+    }
+    state.set("labels", labels);
+    state.set("numbers", numbers);
+}
+
+
+void Foam::fsbi::bonds::restore(const dictionary& state)
+{
+    adhesion_->restore(state);
+    step_ = state.get<label>("step");
+    const labelList labels(state.get<labelList>("labels"));
+    const scalarList numbers(state.get<scalarList>("numbers"));
+    bonds_.clear();
+    for (label i = 0; i < labels.size(); i += 5)
+    {
+        bond b;
+        b.pair = labels[i + 2];
+        b.ligands = labels[i + 3];
+        b.end = {labels[i + 4], numbers[i], numbers[i + 1]};
+        b.anchor = point(numbers[i + 2], numbers[i + 3], numbers[i + 4]);
+        bonds_.insert({{labels[i], labels[i + 1]}, b});
+    }
+    old_ = bonds_;
+}

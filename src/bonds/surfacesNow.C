@@ -1,0 +1,168 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "surfacesNow.H"
+
+Foam::fsbi::surfacesNow::surfacesNow
+(
+    const surroundings& around
+)
+:
+    around_(around),
+    surfaces_(around.bodies.size()),
+    searches_(around.bodies.size()),
+    velocities_(around.bodies.size())
+{}
+
+
+const Foam::word& Foam::fsbi::surfacesNow::name(const label surface) const
+{
+    return isWall(surface) ? wall(surface).name : around_.bodies[surface].name();
+}
+
+
+const Foam::fsbi::bodySurface& Foam::fsbi::surfacesNow::surface
+(
+    const label body
+) const
+{
+    if (!surfaces_.set(body))
+    {
+        surfaces_.set
+        (
+            body, new bodySurface(around_.bodies[body].placedSurface())
+        );
+    }
+    return surfaces_[body];
+}
+
+
+const Foam::fsbi::surfaceDistance& Foam::fsbi::surfacesNow::search
+(
+    const label body
+) const
+{
+    if (!searches_.set(body))
+    {
+        const bodySurface& s = surface(body);
+        searches_.set(body, new surfaceDistance(s.points(), s.triangles()));
+    }
+    return searches_[body];
+}
+
+
+const Foam::vectorField& Foam::fsbi::surfacesNow::velocity
+(
+    const label body
+) const
+{
+    if (!velocities_.set(body))
+    {
+        velocities_.set
+        (
+            body, new vectorField(around_.bodies[body].pointVelocity())
+        );
+    }
+    return velocities_[body];
+}
+
+
+Foam::vector Foam::fsbi::surfacesNow::velocity
+(
+    const label surface, const materialPoint& p
+) const
+{
+    return
+        isWall(surface)
+      ? wall(surface).velocity
+      : p.on(velocity(surface), this->surface(surface).triangles());
+}
+
+
+Foam::scalar Foam::fsbi::surfacesNow::fastest(const label surface) const
+{
+    return
+        isWall(surface)
+      ? mag(wall(surface).velocity)
+      : Foam::sqrt(max(magSqr(velocity(surface))));
+}
+
+
+bool Foam::fsbi::surfacesNow::find
+(
+    const label surface, const point& x, const scalar reach, contact& c
+) const
+{
+    if (isWall(surface))
+    {
+        const planeWall& plane = wall(surface);
+        const scalar height = plane.distance(x);
+        c = {mag(height), x - height*plane.normal, plane.normal, -1};
+        return c.gap <= reach;
+    }
+    if (!search(surface).find(x, reach, c.gap, c.triangle))
+    {
+        return false;
+    }
+    const bodySurface& s = this->surface(surface);
+    const triPointRef corners(s.triangles()[c.triangle].tri(s.points()));
+    c.nearest = corners.nearestPoint(x).rawPoint();
+    // on the surface itself the direction is lost in round-off
+    c.normal =
+        c.gap > 1e-9*boundBox(s.points(), false).mag()
+      ? (x - c.nearest)/c.gap : corners.unitNormal();
+    return true;
+}
+
+
+Foam::fsbi::materialPoint Foam::fsbi::surfacesNow::there
+(
+    const label surface, const contact& c
+) const
+{
+    if (isWall(surface))
+    {
+        return materialPoint();
+    }
+    const bodySurface& s = this->surface(surface);
+    return materialPoint::nearest
+    (
+        c.triangle, c.nearest, s.points(), s.triangles()
+    );
+}
+
+
+Foam::fsbi::materialPoint Foam::fsbi::surfacesNow::away
+(
+    const label body,
+    const point& x,
+    const contact& c,
+    const vector& direction,
+    const scalar distance
+) const
+{
+    contact at;
+    const auto project = [&](const scalar rho)
+    {
+        find(body, c.nearest + rho*direction, GREAT, at);
+        return mag(at.nearest - x);
+    };
+
+    // a plane would have it at high; curved surfaces nearer or further
+    scalar low = 0;
+    scalar high = Foam::sqrt(max(sqr(distance) - sqr(c.gap), scalar(0)));
+    for (label n = 0; n < 20 && project(high) < distance; ++n)
+    {
+        low = high;
+        high *= 1.1;
+    }
+    for (label n = 0; n < 40 && high - low > 1e-9*distance; ++n)
+    {
+        const scalar middle = 0.5*(low + high);
+        (project(middle) < distance ? low : high) = middle;
+    }
+    project(low);
+    return there(body, at);
+}
