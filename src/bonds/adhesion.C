@@ -167,13 +167,17 @@ void Foam::fsbi::adhesion::addSets
             {
                 continue;
             }
-            if (pair.faces && (surfaces.isWall(a) || surfaces.isWall(b)))
+            if
+            (
+                (pair.faces || pair.faceCorrection != "none")
+             && (surfaces.isWall(a) || surfaces.isWall(b))
+            )
             {
                 FatalIOErrorInFunction(dict)
                     << "The wall '"
                     << surfaces.name(surfaces.isWall(a) ? a : b)
-                    << "' has no faces; 'sites' must be 'molecules'"
-                    << exit(FatalIOError);
+                    << "' has no faces; 'sites' must be 'molecules', without"
+                    << " 'faceCorrection'" << exit(FatalIOError);
             }
             // molecules of a wall are a density, never receptors
             const bool turned = surfaces.isWall(a);

@@ -85,6 +85,8 @@ void Foam::fsbi::bondStep::findMolecules
     const scalar blocked =
         adhesion_.populations()[s.receptors].blockedAt(time_);
 
+    scalar gap = GREAT, sum = 0;
+    DynamicList<label> found;
     surfacesNow::contact at;
     forAll(s.sites, site)
     {
@@ -102,7 +104,18 @@ void Foam::fsbi::bondStep::findMolecules
                 (
                     candidate{t.pair, t.ligands, k, at, -1}
                 );
+                found.append(number_[{set, site}]);
+                sum += k;
+                gap = min(gap, at.gap);
             }
+        }
+    }
+    if (adhesion_.pairs()[t.pair].faceCorrection != "none" && found.size())
+    {
+        const scalar scale = correctedRate(t, gap)/sum;
+        for (const label i : found)
+        {
+            active_[i].ways.last().rate *= scale;
         }
     }
 }
