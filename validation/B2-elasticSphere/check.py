@@ -64,6 +64,15 @@ def order():
                       title="Elastic sphere in shear, µγ/G = 0.05")
 
 
+def growth():
+    """The cells that grow away from the sphere must not hide its own error."""
+    coarse, fine = Case("runs/steady0.05"), Case("runs/growth0.05")
+    results.add("growth_adds_Ca0.05", coarse.shape("cell")[1][-1],
+                fine.shape("cell")[1][-1], 0.002,
+                seconds=fine.seconds, cells=fine.cells)
+    results.add("cells_abs", coarse.cells, 0, 24000)
+
+
 def start_up():
     run = Case("runs/startUp")
     time, D, _ = run.shape("cell")
@@ -152,6 +161,7 @@ steady_shapes()
 iterations()
 if not quick:
     order()
+    growth()
     start_up()
 turns()
 softening()
