@@ -478,6 +478,203 @@ static void checkFaces(checks& c)
 }
 
 
+// Bonds that are pulled at a constant speed: the mean extension at which they
+// rupture, exactly, from a table of the survival
+static scalar ruptureExtension(const scalar from, const scalar speed)
+{
+    const scalar dx = 1e-6;
+    scalar hazard = 0, mean = from;
+    for (scalar x = from; x < 0.03; x += dx)
+    {
+        mean += dx*std::exp(-hazard);
+        hazard += dx/speed*3e-7*std::exp(0.5*sqr(x + 0.5*dx)/kT(310));
+    }
+    return mean;
+}
+
+
+static void checkRupture(checks& c)
+{
+    const scalar sigma = sqrt(kT(310)/2), speed = 1e-4;
+    scalar mean[2];
+    for (const label perSigma : {1, 4})
+    {
+        // bonds stand upright where the gap is their length
+        testScene scene(0.05, 0.0495, 0.3);
+        scene.addWall();
+        autoPtr<bonds> b
+        (
+            scene.make
+            (
+                "molecules { cap { A { density 30000; } } floor { B { density"
+                " 1e5; blocked table ((0 0) (1000 0) (1000.1 1) (1e6 1)); } } }"
+                " pairs { pair { kinds (A B); law Dembo; k0on 3e-3;"
+                " k0off 3e-7; lambda 0.05; s 2; sts 1; } }", 1
+            )
+        );
+        scene.step(b(), 1000);
+        std::map<label, scalar> starts;
+        for (const auto& entry : b->all())
+        {
+            const point x
+            (
+                b->molecules().sets()[0].sites[entry.first.second].on
+                (
+                    scene.cap->placedSurface().points(),
+                    scene.cap->placedSurface().triangles()
+                )
+            );
+            const scalar length = mag(x - entry.second.anchor);
+            if (length - x.z() < 1e-4)
+            {
+                starts[entry.first.second] = length - rest;
+            }
+        }
+        const scalar dt = sigma/speed/perSigma;
+        scalar sum = 0, squares = 0, exact = 0;
+        label n = 0;
+        for (label i = 0; i < 20*perSigma; ++i)
+        {
+            scene.begin(b(), dt);
+            for (const bondEvent& e : b->events())
+            {
+                if (!e.formed && starts.count(e.site))
+                {
+                    const scalar x = e.length - rest;
+                    sum += x;
+                    squares += x*x;
+                    exact += ruptureExtension(starts[e.site], speed);
+                    ++n;
+                }
+            }
+            scene.cap->centre.z() += speed*dt;
+            b->endStep();
+        }
+        const scalar deviation = sqrt((squares/n - sqr(sum/n))/n);
+        mean[perSigma == 4] = (sum - exact)/n;
+        char line[160];
+        snprintf
+        (
+            line, sizeof(line), "    %d bonds pulled apart at %.2f thermal "
+            "lengths, steps of 1/%d: %.3f more than exact, deviation %.3f",
+            n, exact/n/sigma, perSigma, mean[perSigma == 4]/sigma,
+            deviation/sigma
+        );
+        Info<< line << endl;
+        c.check
+        (
+            "all upright bonds rupture", n > 100 && n == label(starts.size())
+        );
+        if (perSigma == 1)
+        {
+            c.checkBelow
+            (
+                "length at rupture, steps of a thermal length",
+                mag(mean[0])/sigma, 0.2
+            );
+        }
+        else
+        {
+            checkSigma
+            (
+                c, "length at rupture, short steps", sum/n, exact/n, deviation
+            );
+        }
+    }
+}
+
+
+//- Keeps what is recorded
+class notebook
+:
+    public recording
+{
+public:
+
+    std::map<std::string, label> columns;
+    std::map<std::string, DynamicList<scalarList>> rows;
+
+    void declare
+    (
+        const fileName& path, const wordList& names, const string&
+    ) override
+    {
+        columns[path] = names.size();
+    }
+
+    void append(const fileName& path, const UList<scalar>& row) override
+    {
+        rows[path].append(scalarList(row));
+    }
+};
+
+
+static void checkRecords(checks& c)
+{
+    testScene scene(0.1, 0.04);
+    scene.addWall();
+    IStringStream text
+    (
+        "bonds { temperature 310; seed 2; molecules { cap { A { density 300; }"
+        " } floor { B { density 200; } } } pairs { " + pairText("(A B)", "")
+      + "} }"
+    );
+    const dictionary dict(text);
+    autoPtr<effect> e(effect::New(*dict.findEntry("bonds"), scene.around()));
+    bonds& b = refCast<bonds>(e());
+    notebook book;
+    b.declare(book);
+    scene.begin(b, 500);
+    loads l(labelList(1, Zero));
+    b.apply(l);
+    b.endStep();
+    b.record(book);
+
+    bool fits = book.columns.size() == 2;
+    for (const auto& table : book.rows)
+    {
+        for (const scalarList& row : table.second)
+        {
+            fits = fits && row.size() == book.columns[table.first];
+        }
+    }
+    const scalarList& sums = book.rows["bonds/pair"][0];
+    c.check
+    (
+        "records: all that was declared, a row for each event",
+        fits && book.rows["bonds/events"].size() == b.events().size()
+    );
+    c.check
+    (
+        "records: formed less broken is the number of bonds",
+        sums[0] == scalar(b.all().size()) && sums[0] > 5
+     && sums[1] - sums[2] == sums[0]
+    );
+    const vector force(linear(l.forces().whole[0]));
+    c.checkBelow
+    (
+        "records: force is that on the body",
+        mag(vector(sums[4], sums[5], sums[6]) - force)/mag(force), 1e-13
+    );
+
+    dictionary state;
+    b.save(state);
+    autoPtr<bonds> sparse
+    (
+        scene.make
+        (
+            "molecules { cap { A { density 300; } } floor { C { density 1; }"
+            " B { density 200; } } } pairs { " + pairText("(A B)", "") + "}", 1
+        )
+    );
+    c.checkFatal
+    (
+        "saved bonds of other molecules are refused",
+        [&]{ sparse->restore(state); }, "must not change at a restart"
+    );
+}
+
+
 static void checkRest(checks& c)
 {
     const auto what = [](const std::string& more)
@@ -567,7 +764,9 @@ void checkEffect(checks& c)
     checkSearch(c);
     checkForces(c);
     checkMemory(c);
+    checkRecords(c);
     checkRest(c);
+    checkRupture(c);
     checkFaces(c);
     checkNumbers(c);
 }
