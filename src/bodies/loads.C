@@ -43,6 +43,19 @@ void Foam::fsbi::loads::add
 }
 
 
+bool Foam::fsbi::loads::empty() const
+{
+    for (const sixVector& force : force_)
+    {
+        if (force != sixVector(scalar(0)))
+        {
+            return false;
+        }
+    }
+    return springs_.empty();
+}
+
+
 bool Foam::fsbi::loads::stiff(const label bodyi) const
 {
     for (const sixVector& row : stiffness_[bodyi])

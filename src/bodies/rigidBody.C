@@ -25,6 +25,16 @@ static quaternion rotationBy(const vector& angle)
     return a > VSMALL ? quaternion(angle/a, a) : quaternion::I;
 }
 
+//- The vector of angle and axis, at most half a turn, of a rotation
+static vector angleOf(const quaternion& q)
+{
+    const scalar sine = mag(q.v());
+    return
+        sine > VSMALL
+      ? (2*std::atan2(sign(q.w())*sine, mag(q.w()))/sine)*q.v()
+      : vector(Zero);
+}
+
 //- The entries of a dictionary, one per line
 static string textOf(const dictionary& dict)
 {
@@ -284,6 +294,26 @@ void Foam::fsbi::rigidBody::addInertia(bodyRows& rows) const
 }
 
 
+void Foam::fsbi::rigidBody::addPlacement(bodyRows& rows) const
+{
+    const auto moved = [](const state& to, const state& from)
+    {
+        return join
+        (
+            to.centre - from.centre,
+            angleOf(to.orientation*conjugate(from.orientation))
+        );
+    };
+    const FixedList<scalar, 3> c(weights());
+    const sixVector placed(moved(now_, old_)), before(moved(old_, older_));
+    rows.gain = step_/c[0];
+    forAll(rows.offset, k)
+    {
+        rows.offset[k] = placed[k] - c[2]/c[0]*before[k];
+    }
+}
+
+
 Foam::fsbi::sixVector Foam::fsbi::rigidBody::explicitVelocity
 (
     const scalar time
@@ -323,6 +353,10 @@ Foam::fsbi::bodyRows Foam::fsbi::rigidBody::rows(const scalar time) const
     {
         addInertia(rows);
     }
+    if (step_ > 0)
+    {
+        addPlacement(rows);
+    }
     if (integrator_ == "explicitEuler" && step_ > 0)
     {
         rows.velocity = explicitVelocity(time);
@@ -355,6 +389,20 @@ void Foam::fsbi::rigidBody::set
     now_.velocity = velocity;
     now_.load = load;
     solved_ = true;
+}
+
+
+void Foam::fsbi::rigidBody::settle()
+{
+    bodyRows rows;
+    addPlacement(rows);
+    sixVector u(rows.offset);
+    forAll(u, k)
+    {
+        u[k] = rows.gain*now_.velocity[k] - u[k];
+    }
+    now_.centre += linear(u);
+    now_.orientation = normalize(rotationBy(angular(u))*now_.orientation);
 }
 
 

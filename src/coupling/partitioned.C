@@ -31,10 +31,11 @@ Foam::fsbi::partitioned::partitioned
 (
     fluidRegion& fluid,
     PtrList<solidRegion>& solids,
+    effectList* effects,
     const dictionary& dict
 )
 :
-    couplingScheme(fluid, solids, dict),
+    couplingScheme(fluid, solids, effects, dict),
     passes_(passesOf(dict)),
     entries_(passes_),
     loop_(entries_),
@@ -63,6 +64,13 @@ Foam::dictionary Foam::fsbi::partitioned::passesOf(const dictionary& dict)
 
 void Foam::fsbi::partitioned::checkParts() const
 {
+    if (effects_)
+    {
+        FatalErrorInFunction
+            << "Effects (constant/effects) in a scene with elastic bodies need"
+            << " the scheme 'monolithic' in 'coupling' of"
+            << " system/fluid/fvSolution" << exit(FatalError);
+    }
     if (fluid_.stokes().closed())
     {
         FatalErrorInFunction

@@ -62,12 +62,34 @@ void Foam::fsbi::recorder::declare()
     {
         declareElastic(body);
     }
+    if (scene_.effects())
+    {
+        scene_.effects()->declare(*this);
+    }
     history_.declare
     (
         "cost",
         {"step", "iterations", "corrections", "seconds", "cells", "meshes"},
         "T, -, -, s, -, -"
     );
+}
+
+
+void Foam::fsbi::recorder::declare
+(
+    const fileName& path, const wordList& columns, const string& units
+)
+{
+    history_.declare("effects"/path, columns, units);
+}
+
+
+void Foam::fsbi::recorder::append
+(
+    const fileName& path, const UList<scalar>& row
+)
+{
+    history_.append("effects"/path, time_.value(), row);
 }
 
 
@@ -300,6 +322,10 @@ void Foam::fsbi::recorder::append()
                 series_[scene_.bodies().size() + b], body
             );
         }
+    }
+    if (scene_.effects())
+    {
+        scene_.effects()->record(*this);
     }
     history_.append
     (

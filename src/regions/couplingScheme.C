@@ -37,6 +37,7 @@ Foam::fsbi::couplingScheme::couplingScheme
 (
     fluidRegion& fluid,
     PtrList<solidRegion>& solids,
+    effectList* effects,
     const dictionary& dict
 )
 :
@@ -49,13 +50,14 @@ Foam::fsbi::couplingScheme::couplingScheme
     ),
     fluid_(fluid),
     solids_(solids),
+    effects_(effects),
     elastic_(rowsOf(solids))
 {}
 
 
 Foam::autoPtr<Foam::fsbi::couplingScheme> Foam::fsbi::couplingScheme::New
 (
-    fluidRegion& fluid, PtrList<solidRegion>& solids
+    fluidRegion& fluid, PtrList<solidRegion>& solids, effectList* effects
 )
 {
     const dictionary dict
@@ -69,13 +71,46 @@ Foam::autoPtr<Foam::fsbi::couplingScheme> Foam::fsbi::couplingScheme::New
             "scheme", entriesConstructorTablePtr_->sortedToc(), "monolithic"
         )
     );
-    return entriesConstructorTablePtr_->cfind(scheme)()(fluid, solids, dict);
+    return entriesConstructorTablePtr_->cfind(scheme)()
+    (
+        fluid, solids, effects, dict
+    );
 }
 
 
 bool Foam::fsbi::couplingScheme::moveMesh()
 {
     return lagged_ || fluid_.move(failure_);
+}
+
+
+void Foam::fsbi::couplingScheme::applyEffects()
+{
+    if (!effects_)
+    {
+        return;
+    }
+    const loads& l = effects_->apply();
+    forAll(solids_, e)
+    {
+        solids_[e].setLoad(l.whole(firstElastic() + e));
+    }
+}
+
+
+Foam::vectorField Foam::fsbi::couplingScheme::effectForce
+(
+    const label solidi
+) const
+{
+    const elasticRows& body = *elastic_[solidi];
+    vectorField force(body.elastic->kinds().size(), Zero);
+    if (effects_)
+    {
+        const loads::onBodies all(effects_->last().forces());
+        body.solid.addToFaces(all.triangles[firstElastic() + solidi], force);
+    }
+    return force;
 }
 
 
@@ -145,7 +180,7 @@ bool Foam::fsbi::couplingScheme::finish
     bool good = true;
     forAll(solids_, e)
     {
-        good = good && solids_[e].finish(force(e), failure_);
+        good = good && solids_[e].finish(force(e), effectForce(e), failure_);
     }
     return good;
 }

@@ -21,6 +21,9 @@ namespace fsbi
 //  spread out, rather than a mistake
 static const scalar acceptedImbalance = 0.01;
 
+//- Deviation of normals or velocities of a patch that is round-off
+static const scalar roundOff = 1e-6;
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -159,6 +162,44 @@ Foam::boolList Foam::fsbi::flowConditions::velocityGiven
             << " the flow is not determined" << exit(FatalError);
     }
     return given;
+}
+
+
+Foam::List<Foam::fsbi::planeWall> Foam::fsbi::flowConditions::walls
+(
+    const volVectorField& U
+) const
+{
+    DynamicList<planeWall> found;
+    for (const fvPatchVectorField& pf : U.boundaryField())
+    {
+        if
+        (
+            pf.coupled() || isA<tractionCondition>(pf)
+         || mesh_.isBody(pf.patch().name()) || !gSum(pf.patch().magSf())
+        )
+        {
+            continue;
+        }
+        const scalar area = gSum(pf.patch().magSf());
+        const vector S(gSum(pf.patch().Sf()));
+        const point centre
+        (
+            gSum(vectorField(pf.patch().magSf()*pf.patch().Cf()))/area
+        );
+        const vector u(gSum(vectorField(pf.patch().magSf()*pf))/area);
+        const scalar fastest = gMax(mag(pf)());
+        const bool moves = gMax(mag(pf - u)()) <= roundOff*fastest;
+        if
+        (
+            mag(S) > (1 - roundOff)*area && moves
+         && mag(u & S) <= roundOff*fastest*area
+        )
+        {
+            found.append({pf.patch().name(), centre, -S/mag(S), u});
+        }
+    }
+    return List<planeWall>(found);
 }
 
 

@@ -249,9 +249,7 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
 )
 {
     auto timer = timings_.measure("solve");
-    setRows(rows);
-    conditions_.evaluate(U_(), stokes_(), given_);
-
+    prepare(rows);
     solverReport report
     (
         solver_->solve
@@ -266,12 +264,17 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
 }
 
 
-void Foam::fsbi::fluidRegion::setRows(UList<bodyRows>& rows) const
+void Foam::fsbi::fluidRegion::prepare(UList<bodyRows>& rows)
 {
     forAll(rows, b)
     {
         rows[b].faces = bodyFaces_[b];
         rows[b].vertices = bodyVertices_[b];
+    }
+    conditions_.evaluate(U_(), stokes_(), given_);
+    if (loads_)
+    {
+        solver_->setLoads(*loads_);
     }
 }
 

@@ -68,9 +68,8 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
 )
 {
     auto timer = timings_.measure("solve");
-    setRows(rows);
+    prepare(rows);
     linkSurfaces(elastic);
-    conditions_.evaluate(U_(), stokes_(), given_);
     forAll(elastic, e)
     {
         setSurfaceVelocity
@@ -94,9 +93,8 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::correct
 )
 {
     auto timer = timings_.measure("solve");
-    setRows(rows);
+    prepare(rows);
     linkSurfaces(elastic);
-    conditions_.evaluate(U_(), stokes_(), given_);
     return solver_->correct
     (
         given_, vectorField(mesh().nCells(), Zero), rows, elastic, first, x_,

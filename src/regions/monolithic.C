@@ -43,6 +43,7 @@ bool Foam::fsbi::monolithic::solve(List<bodyRows>& rows)
     label iterations = 0;
     for (label i = 0; i <= maxCorrections; ++i)
     {
+        applyEffects();
         report_ = fluid_.correct(rows, elastic_, i == 0);
         iterations += report_.iterations;
         report_.iterations = iterations;

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "scene.H"
 #include "Time.H"
+#include "proximity.H"
 #include "untrapped.H"
 
 
@@ -25,13 +26,14 @@ bool Foam::fsbi::scene::solveFluid()
     List<bodyRows> rows(bodyRowsNow());
     List<sixVector> loads;
     const label before = report_.iterations;
+    if (effects_)
+    {
+        effects_->apply();
+    }
     report_ = fluid_->solve(rows, loads);
     report_.iterations += before;
     bool finite = std::isfinite(report_.residual);
-    forAll(rows, b)
-    {
-        bodies_[b].set(rows[b].velocity, loads[b]);
-    }
+    take(rows, loads);
     for (const sixVector& load : loads)
     {
         for (const scalar component : load)
@@ -54,11 +56,29 @@ bool Foam::fsbi::scene::solveFluid()
 }
 
 
+void Foam::fsbi::scene::take
+(
+    const UList<bodyRows>& rows, const UList<sixVector>& loads
+)
+{
+    forAll(rows, b)
+    {
+        bodies_[b].set(rows[b].velocity, loads[b]);
+        if (effects_ && effects_->last().stiff(b))
+        {
+            bodies_[b].settle();
+        }
+    }
+}
+
+
 bool Foam::fsbi::scene::advance()
 {
     failure_.clear();
     report_ = solverReport();
-    return fluid_ ? advanceFlow() : advanceSolids();
+    return
+        (fluid_ ? advanceFlow() : advanceSolids())
+     && (!effects_ || effects_->acceptable(failure_));
 }
 
 
@@ -72,10 +92,7 @@ bool Foam::fsbi::scene::solveCoupled()
     report_ = coupling_->report();
     report_.iterations += before;
     failure_ = coupling_->failure();
-    forAll(rows, b)
-    {
-        bodies_[b].set(rows[b].velocity, loads[b]);
-    }
+    take(rows, loads);
     return good;
 }
 
@@ -139,6 +156,11 @@ void Foam::fsbi::scene::beginStep()
     {
         fluid_->beginStep();
     }
+    if (effects_)
+    {
+        effects_->setWalls(fluid_->walls());
+        effects_->beginStep();
+    }
     if (coupling_)
     {
         coupling_->beginStep();
@@ -160,6 +182,10 @@ void Foam::fsbi::scene::rewind()
     {
         fluid_->rewind();
     }
+    if (effects_)
+    {
+        effects_->rewind();
+    }
     if (coupling_)
     {
         coupling_->rewind();
@@ -176,6 +202,10 @@ void Foam::fsbi::scene::endStep()
     for (solidRegion& solid : solids_)
     {
         solid.endStep();
+    }
+    if (effects_)
+    {
+        effects_->endStep();
     }
     if (coupling_)
     {
@@ -205,6 +235,12 @@ void Foam::fsbi::scene::save(dictionary& state) const
         dictionary mesh;
         fluid_->meshing().save(mesh);
         state.set("fluidMesh", mesh);
+    }
+    if (effects_)
+    {
+        dictionary effects;
+        effects_->save(effects);
+        state.set("effects", effects);
     }
     if (coupling_)
     {
@@ -247,6 +283,21 @@ void Foam::fsbi::scene::renewSolvers()
 Foam::scalar Foam::fsbi::scene::smallestGap() const
 {
     return fluid_ ? fluid_->meshing().smallestGap() : GREAT;
+}
+
+
+Foam::scalar Foam::fsbi::scene::timeToContact
+(
+    const scalar reach, string& names
+) const
+{
+    return
+        fluid_
+      ? fsbi::timeToContact
+        (
+            {time_, immersed_, fluid_->walls(), fluid_->mu()}, reach, names
+        )
+      : GREAT;
 }
 
 

@@ -46,12 +46,61 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
             )
         );
     }
+    createEffects(saved.subOrEmptyDict("effects"));
     if (fluid_ && solids_.size())
     {
-        coupling_ = couplingScheme::New(fluid_(), solids_);
+        coupling_ = couplingScheme::New(fluid_(), solids_, effects_.get());
         if (saved.found("coupling"))
         {
             coupling_->restore(saved.subDict("coupling"));
+        }
+    }
+}
+
+
+void Foam::fsbi::scene::createEffects(const dictionary& saved)
+{
+    bool wanted = isFile(time_.globalPath()/time_.constant()/"effects");
+    Pstream::scatter(wanted);
+    if (!wanted)
+    {
+        return;
+    }
+    checkEffects();
+    labelList nTriangles(immersed_.size(), 0);
+    forAll(solids_, e)
+    {
+        nTriangles[bodies_.size() + e] =
+            solids_[e].surface().placedSurface().triangles().size();
+    }
+    effects_.reset
+    (
+        new effectList
+        (
+            time_, immersed_, nTriangles, fluid_->walls(), fluid_->mu(),
+            timings_, saved
+        )
+    );
+    fluid_->setLoads(effects_->last());
+}
+
+
+void Foam::fsbi::scene::checkEffects() const
+{
+    if (!fluid_)
+    {
+        FatalErrorInFunction
+            << "The effects of constant/effects act on bodies in a fluid, but"
+            << " there is no file constant/fluid/material" << exit(FatalError);
+    }
+    for (const rigidBody& body : bodies_)
+    {
+        if (body.integrator() != "monolithic")
+        {
+            FatalErrorInFunction
+                << "Body '" << body.name() << "' has the integrator '"
+                << body.integrator() << "', but effects (constant/effects)"
+                << " need 'monolithic'" << exit(FatalError);
         }
     }
 }

@@ -158,12 +158,28 @@ bool Foam::fsbi::solidRegion::follow()
 
 bool Foam::fsbi::solidRegion::finish
 (
-    const vectorField& force, string& failure
+    const vectorField& fluid, const vectorField& effects, string& failure
 )
 {
-    fluidForce_ = gSum(force);
-    conditions_->addForce(force);
+    fluidForce_ = gSum(fluid);
+    conditions_->addForce(fluid + effects);
     return take(failure);
+}
+
+
+void Foam::fsbi::solidRegion::setLoad(const sixVector& load)
+{
+    if (load == sixVector(scalar(0)))
+    {
+        return;
+    }
+    const vectorField x(centres_ + cells());
+    const scalar V = gSum(volumes_);
+    const vectorField r(x - gSum(volumes_*x)/V);
+    const symmTensor J(gSum(volumes_*(magSqr(r)*symmTensor::I - sqr(r))));
+    rows_.force =
+        loads()
+      + volumes_*(linear(load)/V + ((inv(J) & angular(load)) ^ r));
 }
 
 

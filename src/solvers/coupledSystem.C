@@ -27,6 +27,9 @@ static const scalar margin = 0.3;
 
 static const label maxHalvings = 8;
 
+//- Factor by which springs may change with the same hierarchy
+static const scalar springsChange = 1.5;
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -107,16 +110,42 @@ void Foam::fsbi::coupledSystem::set
     {
         createKrylov();
     }
-    scalar rate = 0;
-    for (const elasticRows* body : elastic)
+    coupling_.clear();
+    if (loads_ && !loads_->empty())
     {
-        rate += body->rate;
+        coupling_.reset
+        (
+            new loadCoupling(*loads_, bodies, scales_.resistance())
+        );
     }
-    if (!freshRate_ || mag(rate - rate_) > 0.1*rate_)
+    renewIfStale();
+}
+
+
+void Foam::fsbi::coupledSystem::renewIfStale()
+{
+    scalar rate = 0, springs = 0;
+    forAll(elastic_, e)
+    {
+        elasticRows& body = *elastic_[e];
+        body.springs = scalarField();
+        if (coupling_ && coupling_->onTriangles())
+        {
+            body.springs = loads_->springConstants(bodies_->size() + e);
+            springs += sum(body.springs);
+        }
+        rate += body.rate;
+    }
+    if
+    (
+        !freshRate_ || mag(rate - rate_) > 0.1*rate_
+     || max(springs, springs_) > springsChange*min(springs, springs_)
+    )
     {
         preconditioner_->rebuild();
         freshRate_ = 0;
         rate_ = rate;
+        springs_ = springs;
     }
 }
 
@@ -222,20 +251,45 @@ void Foam::fsbi::coupledSystem::tetherResiduals
 }
 
 
+Foam::fsbi::loads::onBodies Foam::fsbi::coupledSystem::effectForces
+(
+    const UList<sixVector>& v, const bool homogeneous
+) const
+{
+    if (!coupling_)
+    {
+        return loads::onBodies();
+    }
+    if (!homogeneous)
+    {
+        return coupling_->forces(v);
+    }
+    List<vectorField> triangles(elastic_.size());
+    for (label e = 0; coupling_->onTriangles() && e < elastic_.size(); ++e)
+    {
+        triangles[e] = surfaceDisplacement(*elastic_[e], true).faces;
+    }
+    return coupling_->changes(v, triangles);
+}
+
+
 void Foam::fsbi::coupledSystem::bodyResiduals
 (
     const UList<sixVector>& v,
+    const loads::onBodies& load,
     scalar* r,
     const bool homogeneous
 ) const
 {
-    List<sixVector> defects
-    (
-        bodyDefects
-        (
-            *bodies_, v, bodyLoads(mesh_, *bodies_, traction_), homogeneous
-        )
-    );
+    List<sixVector> pull(bodyLoads(mesh_, *bodies_, traction_));
+    for (label b = 0; coupling_ && b < pull.size(); ++b)
+    {
+        forAll(pull[b], k)
+        {
+            pull[b][k] += load.whole[b][k];
+        }
+    }
+    List<sixVector> defects(bodyDefects(*bodies_, v, pull, homogeneous));
     forAll(defects, b)
     {
         forAll(defects[b], k)
@@ -269,15 +323,22 @@ void Foam::fsbi::coupledSystem::residual
     setBodyVelocities(stokes_, *bodies_, v, values_);
     elasticResiduals(x + n, r + n, homogeneous);
     fluidResidual(x, r, homogeneous);
+    const loads::onBodies load(effectForces(v, homogeneous));
     scalar* row = r + n;
-    for (const elasticRows* body : elastic_)
+    forAll(elastic_, e)
     {
-        body->elastic->addLoad(surfaceForce(*body, traction_), row);
-        row += body->elastic->size();
+        const elasticRows& body = *elastic_[e];
+        vectorField force(surfaceForce(body, traction_));
+        if (coupling_)
+        {
+            body.solid.addToFaces(load.triangles[bodies_->size() + e], force);
+        }
+        body.elastic->addLoad(force, row);
+        row += body.elastic->size();
     }
     tetherResiduals(x, r, homogeneous);
     scales_.apply(r);
-    bodyResiduals(v, r, homogeneous);
+    bodyResiduals(v, load, r, homogeneous);
 }
 
 
@@ -297,6 +358,10 @@ void Foam::fsbi::coupledSystem::precondition
         {
             v[b][k] /= (*bodies_)[b].radius;
         }
+    }
+    if (coupling_)
+    {
+        coupling_->precondition(v);
     }
     values_.faces = Zero;
     values_.vertices = Zero;

@@ -67,6 +67,11 @@ void Foam::fsbi::elasticBlock::setSurface(const globalIndex& rows)
     surfaceSide::sum(solid);
     fluidK_ = fluid.component(vector::X);
     solidK_ = solid.component(vector::X);
+    springK_ = scalarField(fluid.size(), Zero);
+    if (body_.springs.size())
+    {
+        springK_ = body_.springs/body_.rate;
+    }
     fluidColumn_.setSize(fluid.size());
     solidColumn_.setSize(solid.size());
     forAll(fluid, i)
@@ -122,9 +127,11 @@ void Foam::fsbi::elasticBlock::addLinks
 {
     const auto series = [this](const label number)
     {
-        return
-            fluidK_[number]*solidK_[number]
-           /(fluidK_[number] + solidK_[number]);
+        return fluidK_[number]*solidK_[number]/sumK(number);
+    };
+    const auto hold = [&](const label row, const scalar K, const label number)
+    {
+        entries.add(row, row, K*springK_[number]/sumK(number));
     };
     forAll(body_.fluid.faces, i)
     {
@@ -136,6 +143,7 @@ void Foam::fsbi::elasticBlock::addLinks
                 rows.toGlobal(fluidCell(body_.fluid.faces[i]));
             entries.add(row, row, -fluidK_[number]);
             entries.link(row, solidColumn_[number], series(number));
+            hold(row, fluidK_[number], number);
         }
     }
     forAll(body_.solid.faces, i)
@@ -146,6 +154,7 @@ void Foam::fsbi::elasticBlock::addLinks
             const label row =
                 rows.toGlobal(firstRow_ + solidCell(body_.solid.faces[i]));
             entries.link(row, fluidColumn_[number], series(number));
+            hold(row, solidK_[number], number);
         }
     }
 }
@@ -237,17 +246,13 @@ void Foam::fsbi::elasticBlock::begin
         push_[i] = sums[i] + sums[n + i];
     }
 
-    const auto share = [this](const label number)
-    {
-        return fluidK_[number]/(fluidK_[number] + solidK_[number]);
-    };
     forAll(body_.fluid.faces, i)
     {
         const label number = body_.fluid.faceNumbers[i];
         if (solidK_[number] > 0)
         {
             rhs[fluidCell(body_.fluid.faces[i])] +=
-                share(number)*push_[number];
+                fluidK_[number]/sumK(number)*push_[number];
         }
     }
     forAll(body_.solid.faces, i)
@@ -256,7 +261,7 @@ void Foam::fsbi::elasticBlock::begin
         if (solidK_[number] > 0)
         {
             rhs[firstRow_ + solidCell(body_.solid.faces[i])] +=
-                sums[n + number] - share(number)*push_[number];
+                solidK_[number]/sumK(number)*push_[number] - sums[number];
         }
     }
 }
@@ -296,7 +301,7 @@ void Foam::fsbi::elasticBlock::end
             const vector vb
             (
                 (K*vs + pulled[number] + push_[number])
-               /(K + fluidK_[number])
+               /sumK(number)
             );
             u[nCells + stencil_.ghostOf()[b]] = (2*vb - vs)/body_.rate;
         }

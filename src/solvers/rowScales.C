@@ -15,7 +15,8 @@ Foam::fsbi::rowScales::rowScales
 :
     momentum_(stokes.diagonal().size()),
     continuity_(stokes.diagonal().size()),
-    bodies_(bodies.size())
+    bodies_(bodies.size()),
+    resistance_(bodies.size())
 {
     const scalarField& V = stokes.stencil().mesh().cellVolumes();
     forAll(V, i)
@@ -33,8 +34,8 @@ Foam::fsbi::rowScales::rowScales
             8*pi*stokes.mu()*pow3(a) + tr(body.inertiaRate)/3;
         for (label k = 0; k < 6; ++k)
         {
-            bodies_[b][k] =
-                (k < 3 ? 1 : a)/(body.free[k] ? (k < 3 ? drag : spin) : 1);
+            resistance_[b][k] = body.free[k] ? (k < 3 ? drag : spin) : 1;
+            bodies_[b][k] = (k < 3 ? 1 : a)/resistance_[b][k];
         }
     }
     for (const elasticRows* body : elastic)

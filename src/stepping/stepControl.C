@@ -126,6 +126,13 @@ Foam::scalar Foam::fsbi::stepControl::entry
 }
 
 
+Foam::scalar Foam::fsbi::stepControl::shortest() const
+{
+    return
+        entry("minDeltaT", 1e-6*time_.controlDict().get<scalar>("deltaT"));
+}
+
+
 void Foam::fsbi::stepControl::checkEntries() const
 {
     for
@@ -133,7 +140,7 @@ void Foam::fsbi::stepControl::checkEntries() const
         const word key :
         {
             "deltaT", "writeInterval", "maxDeltaT", "maxRotation", "maxTravel",
-            "minDeltaT"
+            "maxApproach", "minDeltaT"
         }
     )
     {
@@ -152,7 +159,8 @@ void Foam::fsbi::stepControl::checkSpelling() const
     // controlDict holds entries of others, too: only near misses are told
     const wordList ours
     ({
-        "adjustTimeStep", "maxDeltaT", "maxRotation", "maxTravel", "minDeltaT"
+        "adjustTimeStep", "maxDeltaT", "maxRotation", "maxTravel",
+        "maxApproach", "minDeltaT"
     });
     for (const Foam::entry& e : time_.controlDict())
     {
@@ -193,7 +201,7 @@ Foam::scalar Foam::fsbi::stepControl::smallestWanted(const scene& scene)
 {
     const scalar maxRotation = entry("maxRotation", 0.2);
     const scalar maxTravel = entry("maxTravel", 0.2);
-    scalar dt = GREAT;
+    scalar dt = GREAT, largest = 0;
     const auto require = [&](const scalar wanted, const string& reason)
     {
         if (wanted < dt)
@@ -210,6 +218,7 @@ Foam::scalar Foam::fsbi::stepControl::smallestWanted(const scene& scene)
         const word& name, const sixVector& v, const scalar radius
     )
     {
+        largest = max(largest, radius);
         require
         (
             maxRotation/max(mag(angular(v)), VSMALL), "rotation of " + name
@@ -227,6 +236,21 @@ Foam::scalar Foam::fsbi::stepControl::smallestWanted(const scene& scene)
     {
         const wettedSurface& surface = scene.solids()[i].surface();
         move(surface.name(), surface.motion(), surface.radius());
+    }
+    const scalar maxApproach = entry("maxApproach", 0);
+    if (maxApproach > 0)
+    {
+        // gaps that a step could close by that part, at the bodies' speeds
+        string names;
+        const scalar reach = 2*maxTravel*largest/maxApproach;
+        const scalar contact = scene.timeToContact(reach, names);
+        require(max(maxApproach*contact, shortest()), "approach of " + names);
+    }
+    if (scene.effects())
+    {
+        string reason;
+        const scalar wanted = scene.effects()->longestStep(reason);
+        require(max(wanted, shortest()), reason);
     }
     return dt;
 }
@@ -307,17 +331,15 @@ bool Foam::fsbi::stepControl::next(const scene& scene)
 void Foam::fsbi::stepControl::reject(const scene& scene)
 {
     const scalar dt = 0.5*time_.deltaTValue();
-    const scalar shortest =
-        entry("minDeltaT", 1e-6*time_.controlDict().get<scalar>("deltaT"));
     Info<< "Step to " << time_.timeName() << " rejected: "
         << scene.failure().c_str() << endl;
-    if (dt < shortest)
+    if (dt < shortest())
     {
         FatalErrorInFunction
             << "Steps down to " << 2*dt << " fail, the last one because "
             << scene.failure().c_str() << ". Saved states are untouched;"
             << " minDeltaT in " << time_.controlDict().name()
-            << " is " << shortest << exit(FatalError);
+            << " is " << shortest() << exit(FatalError);
     }
     if (!adjustable() && gridTime_ < 0)
     {
