@@ -219,6 +219,26 @@ bool Foam::fsbi::adhesion::unblocked
 }
 
 
+bool Foam::fsbi::adhesion::holds
+(
+    const label set, const label site, const label pair, const label ligands
+) const
+{
+    if (set >= sets_.size() || site >= sets_[set].sites.size())
+    {
+        return false;
+    }
+    for (const target& t : sets_[set].targets)
+    {
+        if (t.pair == pair && t.ligands == ligands)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 void Foam::fsbi::adhesion::save(dictionary& state) const
 {
     forAll(sets_, i)

@@ -187,6 +187,13 @@ void Foam::fsbi::bonds::restore(const dictionary& state)
         b.ligands = labels[i + 3];
         b.end = {labels[i + 4], numbers[i], numbers[i + 1]};
         b.anchor = point(numbers[i + 2], numbers[i + 3], numbers[i + 4]);
+        if (!adhesion_->holds(labels[i], labels[i + 1], b.pair, b.ligands))
+        {
+            FatalErrorInFunction
+                << "The saved bonds do not fit the molecules and pairs of"
+                << " constant/effects, which must not change at a restart"
+                << exit(FatalError);
+        }
         bonds_.insert({{labels[i], labels[i + 1]}, b});
     }
     old_ = bonds_;
