@@ -44,19 +44,13 @@ Foam::fsbi::recorder::recorder
 
 void Foam::fsbi::recorder::declare()
 {
-    const wordList xyz({"x", "y", "z"});
     for (const rigidBody& body : scene_.bodies())
     {
-        const fileName path("bodies"/body.name());
-        history_.declare(path/"position", xyz, "L");
-        history_.declare(path/"orientation", {"w", "x", "y", "z"}, "quaternion");
-        history_.declare(path/"velocity", xyz, "L/T");
-        history_.declare(path/"angularVelocity", xyz, "rad/T");
-        for (const word source : {"fluid", "applied"})
-        {
-            history_.declare(path/"force"/source, xyz, "M L/T^2");
-            history_.declare(path/"torque"/source, xyz, "M L^2/T^2");
-        }
+        declareMotion(body.name(), {"fluid", "applied"});
+    }
+    for (const prescribedBody& body : scene_.prescribed())
+    {
+        declareMotion(body.name(), {"fluid"});
     }
     for (const solidRegion& body : scene_.solids())
     {
@@ -68,6 +62,25 @@ void Foam::fsbi::recorder::declare()
         {"step", "iterations", "corrections", "seconds", "cells", "meshes"},
         "T, -, -, s, -, -"
     );
+}
+
+
+void Foam::fsbi::recorder::declareMotion
+(
+    const word& body, const wordList& sources
+)
+{
+    const wordList xyz({"x", "y", "z"});
+    const fileName path("bodies"/body);
+    history_.declare(path/"position", xyz, "L");
+    history_.declare(path/"orientation", {"w", "x", "y", "z"}, "quaternion");
+    history_.declare(path/"velocity", xyz, "L/T");
+    history_.declare(path/"angularVelocity", xyz, "rad/T");
+    for (const word& source : sources)
+    {
+        history_.declare(path/"force"/source, xyz, "M L/T^2");
+        history_.declare(path/"torque"/source, xyz, "M L^2/T^2");
+    }
 }
 
 
@@ -110,14 +123,14 @@ void Foam::fsbi::recorder::openSeries()
     {
         return;
     }
+    const string motion
+    (
+        "position(xyz) quaternion(wxyz) velocity(xyz)"
+        " angularVelocity(xyz) fluidForce(xyz) fluidTorque(xyz)"
+    );
     for (const rigidBody& body : scene_.bodies())
     {
-        openSeries
-        (
-            body.name(),
-            "position(xyz) quaternion(wxyz) velocity(xyz)"
-            " angularVelocity(xyz) fluidForce(xyz) fluidTorque(xyz)"
-        );
+        openSeries(body.name(), motion);
     }
     for (const solidRegion& body : scene_.solids())
     {
@@ -134,6 +147,10 @@ void Foam::fsbi::recorder::openSeries()
               : ""
             )
         );
+    }
+    for (const prescribedBody& body : scene_.prescribed())
+    {
+        openSeries(body.name(), motion);
     }
 }
 
@@ -154,7 +171,7 @@ void Foam::fsbi::recorder::openSeries(const word& body, const string& columns)
 void Foam::fsbi::recorder::appendSeries
 (
     OFstream& os,
-    const rigidBody::state& s
+    const bodyState& s
 ) const
 {
     const auto add = [&](const vector& v)
@@ -220,18 +237,18 @@ void Foam::fsbi::recorder::finishRow(OFstream& os) const
 }
 
 
-void Foam::fsbi::recorder::appendHistory(const rigidBody& body)
+void Foam::fsbi::recorder::appendMotion
+(
+    const word& body, const bodyState& s
+)
 {
     const scalar t = time_.value();
-    const fileName path("bodies"/body.name());
+    const fileName path("bodies"/body);
     const auto add = [&](const fileName& table, const vector& v)
     {
         history_.append(path/table, t, scalarList({v.x(), v.y(), v.z()}));
     };
-    const rigidBody::state& s = body.now();
     const vector& q = s.orientation.v();
-    const sixVector applied(body.applied(t));
-
     add("position", s.centre);
     history_.append
     (
@@ -242,6 +259,19 @@ void Foam::fsbi::recorder::appendHistory(const rigidBody& body)
     add("angularVelocity", angular(s.velocity));
     add("force/fluid", linear(s.load));
     add("torque/fluid", angular(s.load));
+}
+
+
+void Foam::fsbi::recorder::appendHistory(const rigidBody& body)
+{
+    const scalar t = time_.value();
+    const fileName path("bodies"/body.name());
+    const auto add = [&](const fileName& table, const vector& v)
+    {
+        history_.append(path/table, t, scalarList({v.x(), v.y(), v.z()}));
+    };
+    const sixVector applied(body.applied(t));
+    appendMotion(body.name(), body.now());
     add("force/applied", linear(applied));
     add("torque/applied", angular(applied));
 }
@@ -298,6 +328,19 @@ void Foam::fsbi::recorder::append()
             appendSeries
             (
                 series_[scene_.bodies().size() + b], body
+            );
+        }
+    }
+    forAll(scene_.prescribed(), b)
+    {
+        const prescribedBody& body = scene_.prescribed()[b];
+        appendMotion(body.name(), body.now());
+        if (Pstream::master())
+        {
+            appendSeries
+            (
+                series_[scene_.bodies().size() + scene_.solids().size() + b],
+                body.now()
             );
         }
     }

@@ -225,11 +225,7 @@ void Foam::fsbi::wettedSurface::follow(const elasticRows& rows)
 
 Foam::fsbi::sixVector Foam::fsbi::wettedSurface::motion() const
 {
-    if (!motion_.knownVelocity().size())
-    {
-        return sixVector(Zero);
-    }
-    const vectorField v(part(vectorField(motion_.velocity(displacement_)), true));
+    const vectorField v(pointVelocity());
     const vectorField x(reference_.points() + pointDisplacement());
     const vector centre(average(x)), mean(average(v));
     vector momentum(Zero);
@@ -257,6 +253,15 @@ Foam::fsbi::bodySurface Foam::fsbi::wettedSurface::placedSurface() const
         pointField(reference_.points() + pointDisplacement()),
         reference_.triangles()
     );
+}
+
+
+Foam::vectorField Foam::fsbi::wettedSurface::pointVelocity() const
+{
+    return
+        motion_.knownVelocity().size()
+      ? part(vectorField(motion_.velocity(displacement_)), true)
+      : vectorField(solid_.nPoints, Zero);
 }
 
 
