@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "rollingLeukocyte.H"
 #include "leukocyte.H"
+#include "OStringStream.H"
 #include "Tuple2.H"
 
 namespace Foam
@@ -49,9 +50,10 @@ void Foam::fsbi::rollingLeukocyte::read(const dictionary& saved)
     (
         turned.second()*turned.first()/max(mag(turned.first()), VSMALL)
     );
-    dictionary both(dict);
-    both.set("orientation", turned);
-    shapeText_ = textOf(both);
+    OStringStream orientation;
+    orientation.precision(17);
+    orientation << turned;
+    shapeText_ = textOf(dict) + "orientation " + orientation.str();
 
     if (saved.empty())
     {

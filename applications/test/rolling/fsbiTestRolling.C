@@ -81,13 +81,14 @@ static void checkTurns(checks& c)
     {
         const scalar dt = turn/30*(i % 2 ? 0.7 : 1.3);
         step(body, time += dt, dt);
-        for (const point& x : body.placedSurface().points())
+        const bodySurface surface(body.placedSurface());
+        for (const point& x : surface.points())
         {
             off = max(off, mag(mag(onSphere(x - body.now().centre)) - r));
         }
         if (i % 37 == 0)
         {
-            body.placedSurface().check("the material");
+            surface.check("the material");
         }
     }
     const bodySurface last(body.placedSurface());
@@ -119,16 +120,16 @@ static void checkTurns(checks& c)
 }
 
 
-// Times forward and upward of a point on the middle circle, against the roots
-// of its velocity V + r w sin(a) (1 - k Ax sin(k r cos(a))): the angle runs at
-// a constant rate
-static void checkTimes(checks& c)
+// Part of the time backward of a point on a circle of radius s of the sphere,
+// by the roots of its velocity V + s w sin(a) (1 - k Ax sin(k s cos(a))): the
+// angle a runs at a constant rate
+static scalar partBackward(const scalar V, const scalar w, const scalar s)
 {
-    const scalar w = 0.05, V = r*w, k = pi/(2*r);
+    const scalar k = pi/(2*r);
     const auto velocity = [&](const scalar a)
     {
         return
-            V + r*w*Foam::sin(a)*(1 - k*Ax*Foam::sin(k*r*Foam::cos(a)));
+            V + s*w*Foam::sin(a)*(1 - k*Ax*Foam::sin(k*s*Foam::cos(a)));
     };
     scalar backward = 0;
     const label n = 1000;
@@ -149,24 +150,25 @@ static void checkTimes(checks& c)
         }
         backward += begins ? to - a : a - from;
     }
-    backward /= 2*pi;
+    return backward/(2*pi);
+}
 
+
+// The way of a point near the middle plane against the exact times
+static void checkTimes(checks& c)
+{
     rollingLeukocyte body
     (
         cell("velocity (0.2 0 0); angularVelocity (0 0 -0.05);")
     );
-    // the point nearest to the middle circle, then its path
-    label nearest = 0;
-    forAll(body.placedSurface().points(), i)
-    {
-        const pointField& x = body.placedSurface().points();
-        if (mag(x[i].z() + 1) < mag(x[nearest].z() + 1))
-        {
-            nearest = i;
-        }
-    }
-    const scalar z = body.placedSurface().points()[nearest].z() + 1;
-    c.checkBelow("a point on the middle circle", mag(z), 1e-6*r);
+    const scalar w = 0.05;
+    const scalarField z
+    (
+        mag(body.placedSurface().points().component(vector::Z)() + 1)
+    );
+    const label nearest = findMin(z);
+    const scalar backward =
+        partBackward(0.2, w, Foam::sqrt(sqr(r) - sqr(z[nearest])));
     const label steps = 4000;
     const scalar dt = 2*pi/w/steps;
     label back = 0, up = 0;
@@ -290,7 +292,7 @@ static void checkFlux(checks& c)
     const scalar coarse = netFlux(1, sliding);
     const scalar fine = netFlux(0.35, sliding);
     Info<< "    net flux / gross " << coarse << ", " << fine << endl;
-    c.checkBelow("no net flux through the surface", coarse, 2e-3);
+    c.checkBelow("no net flux through the surface", coarse, 5e-4);
     c.checkBelow("less with finer triangles", fine, 0.35*coarse);
     c.checkBelow("none at all through a face of the mesh", sliding, 1e-16);
 }
@@ -320,6 +322,7 @@ static void checkState(checks& c)
     body.rewind();
     c.check("a rejected step leaves nothing", body.placedSurface().points() == before);
 
+    IOstream::defaultPrecision(17);
     dictionary saved;
     body.save(saved);
     rollingLeukocyte again("cell", entries(motion, 1), 2, saved);
