@@ -308,7 +308,10 @@ static void checkState(checks& c)
     );
     rollingLeukocyte body(cell(motion));
     step(body, 2, 2);
-    c.checkClose("path of a growing velocity", body.now().centre.x(), 3.2, 1e-14);
+    c.checkClose
+    (
+        "path of a growing velocity", body.now().centre.x(), 3.2, 1e-14
+    );
     const tensor R(body.now().orientation.R());
     c.checkClose
     (
@@ -320,7 +323,11 @@ static void checkState(checks& c)
     body.beginStep();
     body.advance(5, 3);
     body.rewind();
-    c.check("a rejected step leaves nothing", body.placedSurface().points() == before);
+    c.check
+    (
+        "a rejected step leaves nothing",
+        body.placedSurface().points() == before
+    );
 
     IOstream::defaultPrecision(17);
     dictionary saved;
