@@ -265,15 +265,6 @@ Foam::fsbi::bodySurface Foam::fsbi::wettedSurface::placedSurface() const
 }
 
 
-Foam::vectorField Foam::fsbi::wettedSurface::pointVelocity() const
-{
-    return
-        motion_.knownVelocity().size()
-      ? part(vectorField(motion_.velocity(displacement_)), true)
-      : vectorField(solid_.nPoints, Zero);
-}
-
-
 Foam::fsbi::placement Foam::fsbi::wettedSurface::placed() const
 {
     return fit_(pointField(reference_.points() + pointDisplacement()));
