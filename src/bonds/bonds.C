@@ -22,7 +22,6 @@ Foam::fsbi::bonds::bonds(const dictionary& dict, const surroundings& around)
 :
     effect(around),
     maxStretch_(1),
-    step_(0),
     dt_(0)
 {
     const checkedDictionary entries(dict);
@@ -106,13 +105,15 @@ void Foam::fsbi::bonds::apply(loads& l) const
 
 void Foam::fsbi::bonds::beginStep()
 {
-    old_ = bonds_;
+    oldBonds_ = bonds_;
+    oldClocks_ = clocks_;
     events_.clear();
     const scalar dt = around_.time.deltaTValue();
     const surfacesNow now(around_);
     bondStep step
     (
-        adhesion_(), now, bonds_, events_, around_.time.value() - dt, step_
+        adhesion_(), now, bonds_, clocks_, events_,
+        around_.time.value() - dt
     );
     step.advance(dt);
     dt_ = dt;
@@ -121,7 +122,8 @@ void Foam::fsbi::bonds::beginStep()
 
 void Foam::fsbi::bonds::rewind()
 {
-    bonds_ = old_;
+    bonds_ = oldBonds_;
+    clocks_ = oldClocks_;
     events_.clear();
     dt_ = 0;
 }
@@ -139,14 +141,12 @@ void Foam::fsbi::bonds::endStep()
         }
     }
     dt_ = 0;
-    ++step_;
 }
 
 
 void Foam::fsbi::bonds::save(dictionary& state) const
 {
     adhesion_->save(state);
-    state.set("step", step_);
     labelList labels;
     scalarList numbers;
     for (const auto& entry : bonds_)
@@ -170,13 +170,28 @@ void Foam::fsbi::bonds::save(dictionary& state) const
     }
     state.set("labels", labels);
     state.set("numbers", numbers);
+
+    labelList events;
+    scalarList left;
+    for (const auto& entry : clocks_)
+    {
+        events.append
+        (
+            labelList
+            ({
+                entry.first.first, entry.first.second, entry.second.events
+            })
+        );
+        left.append(entry.second.left);
+    }
+    state.set("events", events);
+    state.set("left", left);
 }
 
 
 void Foam::fsbi::bonds::restore(const dictionary& state)
 {
     adhesion_->restore(state);
-    step_ = state.get<label>("step");
     const labelList labels(state.get<labelList>("labels"));
     const scalarList numbers(state.get<scalarList>("numbers"));
     bonds_.clear();
@@ -196,5 +211,11 @@ void Foam::fsbi::bonds::restore(const dictionary& state)
         }
         bonds_.insert({{labels[i], labels[i + 1]}, b});
     }
-    old_ = bonds_;
+    const labelList events(state.get<labelList>("events"));
+    const scalarList left(state.get<scalarList>("left"));
+    clocks_.clear();
+    forAll(left, i)
+    {
+        clocks_[{events[3*i], events[3*i + 1]}] = {events[3*i + 2], left[i]};
+    }
 }

@@ -225,8 +225,9 @@ static void checkSearch(checks& c)
     const adhesion& a = b->molecules();
     const surfacesNow now(scene.around());
     bondMap none;
+    clockMap clocks;
     DynamicList<bondEvent> events;
-    const bondStep step(a, now, none, events, 0, 0);
+    const bondStep step(a, now, none, clocks, events, 0);
 
     label found = 0, wrong = 0;
     const adhesion::siteSet& set = a.sets()[0];

@@ -283,8 +283,9 @@ static void checkFaces(checks& c)
             const adhesion& a = b->molecules();
             const surfacesNow now(scene.around());
             bondMap bound;
-            DynamicList<bondEvent> events;
-            bondStep step(a, now, bound, events, 0, 0);
+            clockMap clocks;
+    DynamicList<bondEvent> events;
+            bondStep step(a, now, bound, clocks, events, 0);
             scalar total = 0;
             for (label i = 0; i < step.size(); ++i)
             {
