@@ -67,11 +67,13 @@ Foam::point Foam::fsbi::bonds::end
 void Foam::fsbi::bonds::apply(loads& l) const
 {
     const surfacesNow now(around_);
-    const auto site = [&](const label body, const label triangle, const point& x)
+    const auto site =
+        [&](const label body, const materialPoint& at, const point& x)
     {
         return loads::site
         {
-            body, triangle, x - around_.bodies[body].placed().centre
+            body, at.triangle, x - around_.bodies[body].placed().centre,
+            vector(1 - at.b - at.c, at.b, at.c)
         };
     };
     for (const auto& entry : bonds_)
@@ -91,9 +93,9 @@ void Foam::fsbi::bonds::apply(loads& l) const
         l.add
         (
             {
-                site(s.body, start.triangle, x),
+                site(s.body, start, x),
                 now.isWall(other)
-              ? loads::site() : site(other, b.end.triangle, y),
+              ? loads::site() : site(other, b.end, y),
                 f*e,
                 pair.law->s()*along
               + max(f/distance, scalar(0))*(tensor::I - along)

@@ -72,17 +72,17 @@ void Foam::fsbi::scene::createEffects(const dictionary& saved)
         return;
     }
     checkEffects();
-    labelList nTriangles(immersed_.size(), 0);
+    List<List<triFace>> triangles(immersed_.size());
     forAll(solids_, e)
     {
-        nTriangles[bodies_.size() + e] =
-            solids_[e].surface().placedSurface().triangles().size();
+        triangles[bodies_.size() + e] =
+            solids_[e].surface().placedSurface().triangles();
     }
     effects_.reset
     (
         new effectList
         (
-            time_, immersed_, nTriangles, fluid_->walls(), fluid_->mu(),
+            time_, immersed_, triangles, fluid_->walls(), fluid_->mu(),
             timings_, saved
         )
     );

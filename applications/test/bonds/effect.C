@@ -142,7 +142,7 @@ static void checkForces(checks& c)
     autoPtr<bonds> b(scene.make(what, 5));
     scene.begin(b(), 3000);
     scene.cap->centre += vector(0.003, 0.001, 0.004);
-    loads l(labelList(2, Zero));
+    loads l(List<List<triFace>>(2));
     b->apply(l);
     const loads::onBodies f(l.forces());
     const vector sum(linear(f.whole[0]) + linear(f.whole[1]));
@@ -157,7 +157,7 @@ static void checkForces(checks& c)
     c.checkBelow("force is minus that on the partner", mag(sum)/size, 1e-13);
     c.checkBelow("no moment in all", mag(moment)/size, 1e-12);
 
-    loads twice(labelList(2, Zero));
+    loads twice(List<List<triFace>>(2));
     b->apply(twice);
     c.check
     (
@@ -167,12 +167,12 @@ static void checkForces(checks& c)
 
     // force after a small displacement against the springs' stiffness; the
     // part that compression would soften is left out on purpose
-    loads::onBodies u(l.zero());
+    loads::ofBodies u(l.atRest());
     const vector shift(0, 0, 1e-7);
     u.whole[0] = join(shift, vector::zero);
     const vector predicted(linear(l.changes(u).whole[0]));
     scene.cap->centre += shift;
-    loads moved(labelList(2, Zero));
+    loads moved(List<List<triFace>>(2));
     b->apply(moved);
     const vector change(linear(moved.forces().whole[0]) - linear(f.whole[0]));
     c.checkBelow
@@ -316,7 +316,7 @@ static void checkRecords(checks& c)
     notebook book;
     b.declare(book);
     scene.begin(b, 500);
-    loads l(labelList(1, Zero));
+    loads l(List<List<triFace>>(1));
     b.apply(l);
     b.endStep();
     b.record(book);
