@@ -82,6 +82,24 @@ bool Foam::fsbi::scene::advance()
 }
 
 
+bool Foam::fsbi::scene::loadsAt
+(
+    const UList<sixVector>& velocities, List<sixVector>& loads
+)
+{
+    const untrapped scope;
+    List<bodyRows> rows(bodyRowsNow());
+    forAll(rows, b)
+    {
+        rows[b].free = FixedList<bool, 6>(false);
+        rows[b].velocity = velocities[b];
+    }
+    report_ = fluid_->solve(rows, loads);
+    failure_ = report_.converged ? "" : "the solver did not converge";
+    return report_.converged;
+}
+
+
 bool Foam::fsbi::scene::solveCoupled()
 {
     const untrapped scope;

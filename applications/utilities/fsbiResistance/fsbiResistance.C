@@ -1,0 +1,195 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+
+Application
+    fsbiResistance
+
+Description
+    Resistance and mobility matrices of the rigid bodies of a scene, where they
+    stand at the start or in the last saved state, with all walls and other
+    bodies:
+
+        (F, T) = R (U, omega),    (U, omega) = R^-1 (F, T),
+
+    F, T: what the bodies exert on the fluid, about their centres, U and omega:
+    their motion against a fluid at rest. From six solutions for each body and
+    one with the scene's own flow, whose forces on bodies at rest are written,
+    too. For reduced-order models, and to see what a mesh is worth: the matrix
+    of the exact flow is symmetric.
+
+Usage
+    \code
+    blockMesh && fsbiResistance
+    \endcode
+    Writes postProcessing/resistance.csv: one row per component, `body,row`
+    (Fx Fy Fz Tx Ty Tz), then the columns of R, of the mobility, and `flow`, the
+    force or torque of the scene's flow on bodies at rest.
+
+\*---------------------------------------------------------------------------*/
+
+#include "petscObjects.H"
+#include "argList.H"
+#include "checkpoint.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "scalarMatrices.H"
+
+using namespace Foam;
+
+static const wordList rowNames({"Fx", "Fy", "Fz", "Tx", "Ty", "Tz"});
+static const wordList columnNames({"Ux", "Uy", "Uz", "Wx", "Wy", "Wz"});
+
+
+//- Forces and torques on all bodies, one after the other, for a motion
+static scalarField loadsAt(fsbi::scene& scene, const scalarField& motion)
+{
+    List<fsbi::sixVector> velocities(scene.bodies().size()), loads;
+    forAll(motion, i)
+    {
+        velocities[i/6][i % 6] = motion[i];
+    }
+    if (!scene.loadsAt(velocities, loads))
+    {
+        FatalErrorInFunction << scene.failure().c_str() << exit(FatalError);
+    }
+    scalarField flat(motion.size());
+    forAll(flat, i)
+    {
+        flat[i] = loads[i/6][i % 6];
+    }
+    return flat;
+}
+
+
+static scalarSquareMatrix inverse(scalarSquareMatrix R)
+{
+    labelList pivots(R.n());
+    LUDecompose(R, pivots);
+    scalarSquareMatrix result(R.n(), R.n(), Zero);
+    for (label j = 0; j < R.n(); ++j)
+    {
+        scalarField column(R.n(), Zero);
+        column[j] = 1;
+        LUBacksubstitute(R, pivots, column);
+        forAll(column, i)
+        {
+            result(i, j) = column[i];
+        }
+    }
+    return result;
+}
+
+
+//- Largest difference to the transposed, over what would be symmetric
+static scalar asymmetry(const scalarSquareMatrix& R)
+{
+    scalar largest = 0;
+    for (label i = 0; i < R.n(); ++i)
+    {
+        for (label j = 0; j < i; ++j)
+        {
+            largest = max
+            (
+                largest,
+                mag(R(i, j) - R(j, i))/Foam::sqrt(mag(R(i, i)*R(j, j)))
+            );
+        }
+    }
+    return largest;
+}
+
+
+static void write
+(
+    const fsbi::scene& scene,
+    const fileName& file,
+    const scalarSquareMatrix& R,
+    const scalarSquareMatrix& M,
+    const scalarField& flow
+)
+{
+    mkDir(file.path());
+    OFstream os(file);
+    os.precision(10);
+    const auto bodyOf = [&](const label i)
+    {
+        return scene.bodies()[i/6].name();
+    };
+    os << "body,row";
+    for (const word kind : {"R", "M"})
+    {
+        for (label j = 0; j < R.n(); ++j)
+        {
+            os << ',' << kind << '.' << bodyOf(j) << '.'
+                << (kind == "R" ? columnNames : rowNames)[j % 6];
+        }
+    }
+    os << ",flow" << nl;
+    for (label i = 0; i < R.n(); ++i)
+    {
+        os << bodyOf(i) << ',' << rowNames[i % 6];
+        for (const scalarSquareMatrix* A : {&R, &M})
+        {
+            for (label j = 0; j < R.n(); ++j)
+            {
+                os << ',' << (*A)(i, j);
+            }
+        }
+        os << ',' << flow[i] << nl;
+    }
+}
+
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Resistance and mobility matrices of the rigid bodies of a scene, where"
+        " they stand\nat the start, or in the last saved state with"
+        " 'startFrom latestTime'.\n\n"
+        "    blockMesh && fsbiResistance\n\n"
+        "Writes postProcessing/resistance.csv."
+    );
+    #include "setRootCase.H"
+    #include "createTime.H"
+
+    fsbi::petscSession petsc;
+    fsbi::scene scene(runTime, fsbi::checkpoint(runTime).read());
+    if (scene.bodies().empty() || scene.solids().size())
+    {
+        FatalErrorInFunction
+            << "fsbiResistance needs a scene with rigid bodies, and with no"
+            << " elastic ones" << exit(FatalError);
+    }
+
+    const label n = 6*scene.bodies().size();
+    const scalarField flow(loadsAt(scene, scalarField(n, Zero)));
+    scalarSquareMatrix R(n, n, Zero);
+    for (label j = 0; j < n; ++j)
+    {
+        scalarField motion(n, Zero);
+        motion[j] = 1;
+        const scalarField load(loadsAt(scene, motion));
+        for (label i = 0; i < n; ++i)
+        {
+            R(i, j) = flow[i] - load[i];
+        }
+        Info<< scene.bodies()[j/6].name() << ' ' << columnNames[j % 6] << ": "
+            << scene.report().iterations << " iterations" << endl;
+    }
+    const fileName file
+    (
+        runTime.globalPath()/"postProcessing"/"resistance.csv"
+    );
+    if (Pstream::master())
+    {
+        write(scene, file, R, inverse(R), flow);
+    }
+    Info<< nl << "Cells: " << scene.nCells() << nl
+        << "Asymmetry: " << asymmetry(R) << nl
+        << "Written: " << file << nl << endl;
+    scene.clocks().report(Info);
+    Info<< "End" << nl << endl;
+    return 0;
+}
