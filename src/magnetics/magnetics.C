@@ -342,7 +342,9 @@ void Foam::fsbi::magnetics::save(dictionary& state) const
         dictionary dict;
         dict.set("volume", magnets_[i].volume);
         dict.set("largestB", magnets_[i].largestB);
-        magnets_[i].lag.save(dict);
+        dictionary lag;
+        magnets_[i].lag.save(lag);
+        dict.set("lag", lag);
         state.set(body(i).name(), dict);
     }
 }
@@ -357,7 +359,7 @@ void Foam::fsbi::magnetics::restore(const dictionary& state)
         {
             magnets_[i].volume = dict->get<scalar>("volume");
             magnets_[i].largestB = dict->get<scalar>("largestB");
-            magnets_[i].lag.restore(*dict);
+            magnets_[i].lag.restore(dict->subDict("lag"));
         }
     }
 }
