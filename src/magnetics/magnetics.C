@@ -193,13 +193,10 @@ void Foam::fsbi::magnetics::addPair
         // second derivative of the energy, largest if both stand in line
         const scalar k =
             24*mu0By4Pi*mag(s[a].m)*mag(s[b].m)/pow5(mag(r))*J/sqr(L);
-        l.add
-        (
-            {
-                {magnets_[a].body, -1, Zero}, {magnets_[b].body, -1, Zero},
-                force, k*tensor::I
-            }
-        );
+        loads::site atA, atB;
+        atA.body = magnets_[a].body;
+        atB.body = magnets_[b].body;
+        l.add({atA, atB, force, k*tensor::I});
         return;
     }
     const loads::sixMatrix none(sixVector(scalar(0)));

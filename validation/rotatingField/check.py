@@ -62,17 +62,17 @@ def law(speed):
     return speed - np.sqrt(np.maximum(speed**2 - critical**2, 0))
 
 
+wrong = [r.name for r in runs if r.slips[-1] != (r.speed > critical)]
+results.add("runs_with_wrong_slips_abs", len(wrong), 0, 0.5)
 for run in runs:
     if run.speed < critical:
         results.add(f"speed_{run.name}", run.mean() / run.speed, 1, 1e-3, **run.cost)
         results.add(f"sine_of_lag_{run.name}", np.sin(run.end(run.lag)),
                     run.speed / critical, 2e-3, **run.cost)
-        results.add(f"slips_{run.name}_abs", run.slips[-1], 0, 0.5, **run.cost)
     else:
         bound = 5e-3 if quick or run.steps < 40 else 2e-3
         results.add(f"mean_speed_{run.name}_abs", run.mean() / critical,
                     law(run.speed) / critical, bound, **run.cost)
-        results.add(f"slips_{run.name}_abs", run.slips[-1], 1, 0.5, **run.cost)
 
 if not quick:
     figure, axes = plots.plt.subplots()

@@ -5,6 +5,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "magneticChecks.H"
 #include "dipole.H"
+#include "IFstream.H"
+#include "OSspecific.H"
 
 #include <functional>
 
@@ -118,20 +120,6 @@ static void checkEnergies(checks& c)
 }
 
 
-//- A load's stiffness times displacements of the first body
-static sixVector decrease(const loads& l, const sixVector& u)
-{
-    loads::onBodies all(l.zero());
-    all.whole[0] = u;
-    sixVector f(l.changes(all).whole[0]);
-    for (scalar& value : f)
-    {
-        value = -value;
-    }
-    return f;
-}
-
-
 static void checkStiffness(checks& c)
 {
     Random random(3);
@@ -164,11 +152,18 @@ static void checkStiffness(checks& c)
             turning = min
             (
                 turning,
-                ((angular(decrease(l, join(Zero, e))) & e) - T)/scale
+                (
+                    (angular(magneticScene::decrease(l, join(Zero, e))) & e)
+                  - T
+                )/scale
             );
             moving = min
             (
-                moving, ((linear(decrease(l, join(e, Zero))) & e) - F)/scale
+                moving,
+                (
+                    (linear(magneticScene::decrease(l, join(e, Zero))) & e)
+                  - F
+                )/scale
             );
         }
         const std::string name("kind " + std::to_string(kind));
@@ -191,7 +186,10 @@ static void checkStiffness(checks& c)
         " { type permanent; direction (0 0 1); moment 1e-12; } }"
     ));
     const loads l(scene.at(magnets()));
-    const sixVector K(decrease(l, sixVector({0, 0, 0, 1, 2, 3})));
+    const sixVector K
+    (
+        magneticScene::decrease(l, sixVector({0, 0, 0, 1, 2, 3}))
+    );
     c.checkBelow
     (
         "stiffness of an aligned magnet",
@@ -327,8 +325,32 @@ static void checkWrongEffects(checks& c)
 }
 
 
+// What etc/dictionaries shows is valid
+static void checkManual(checks& c)
+{
+    IFstream file(fileName(getEnv("FSBI_DIR"))/"etc"/"dictionaries"/"effects");
+    const dictionary all(file);
+    const dictionary& dict = all.subDict("magnetics");
+    const magneticFields fields
+    (
+        dict.subDict("fields"), unitsOf("microvascular")
+    );
+    label bodies = 0;
+    for (const entry& e : dict.subDict("bodies"))
+    {
+        bodies += magnetisation::New(e.dict()).valid();
+    }
+    c.check
+    (
+        "the annotated dictionary is valid and shows all types",
+        fields.size() == 5 && bodies == 3
+    );
+}
+
+
 void checkEffect(checks& c)
 {
+    checkManual(c);
     checkEnergies(c);
     checkStiffness(c);
     checkPair(c);

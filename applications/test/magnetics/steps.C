@@ -38,16 +38,15 @@ static void turn
 {
     const tensor resistance(1, 0, 0, 0, 0.1, 0, 0, 0, 7);
     const loads l(scene.at(magnets));
-    loads::onBodies unit(l.zero());
     tensor A(resistance/dt);
     for (direction j = 0; j < 3; ++j)
     {
-        unit.whole[0] = sixVector(scalar(0));
-        unit.whole[0][3 + j] = 1;
-        const vector f(angular(l.changes(unit).whole[0]));
+        vector unit(Zero);
+        unit[j] = 1;
+        const vector f(angular(magneticScene::decrease(l, join(Zero, unit))));
         for (direction i = 0; i < 3; ++i)
         {
-            A(i, j) -= f[i];
+            A(i, j) += f[i];
         }
     }
     scene[0].at.orientation =
