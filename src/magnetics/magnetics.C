@@ -162,7 +162,10 @@ void Foam::fsbi::magnetics::addGiven
 {
     const magnet& magnet = magnets_[magneti];
     const scalar J = units_.joule();
-    const tensor turning(J*magnet.law->torqueStiffness(magnet.volume, s.R, s.B));
+    const tensor turning
+    (
+        J*magnet.law->torqueStiffness(magnet.volume, s.R, s.B)
+    );
     const scalar moving = forceStiffness(magneti, s);
     loads::sixMatrix K(sixVector(scalar(0)));
     for (direction i = 0; i < 3; ++i)

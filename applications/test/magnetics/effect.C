@@ -314,7 +314,8 @@ static void checkWrongEffects(checks& c)
     wrong("no bodies", "fields {}", "bodies");
     wrong("unknown body", "fields {} bodies { third { type saturated; moment"
         " 1; } }", "(first second)");
-    wrong("unknown keyword of magnetics", "fields {} steps 3;" + body, "'steps'");
+    wrong("unknown keyword of magnetics", "fields {} steps 3;" + body,
+        "'steps'");
     wrong("unknown units", "units cgs; fields {}" + body, "microvascular");
     wrong("entries in interaction", "fields {} interaction { on yes; }" + body,
         "'on'");

@@ -242,7 +242,6 @@ static void checkGiven(checks& c)
             kind.first + ": gradient, sources and curl",
             (mag(G - d) + mag(tr(d)) + mag(skew(d)))/scale, 1e-8
         );
-        std::string inSI(kind.second);
         c.check(kind.first + ": there is a field", mag(f->B(x, t)) > 1e-9);
     }
     c.checkBelow
@@ -324,7 +323,8 @@ static void checkWrongFields(checks& c)
     {
         c.checkFatal(name, [&]{ field(text); }, message);
     };
-    wrong("unknown field", "type magnet;", "(coil dipole gradient rotating unif");
+    wrong("unknown field", "type magnet;",
+        "(coil dipole gradient rotating uniform)");
     wrong("unknown keyword", "type uniform; B (0 0 1); b 2;", "'b'");
     wrong("no current", "type coil; centre (0 0 0); axis (1 0 0); radius 1;",
         "current");

@@ -85,7 +85,10 @@ void checkMagnetisations(checks& c)
     const vector m(iron->moment(2e-18, R, B));
     c.checkClose("saturated iron, A/m", mag(m)/2e-18, 1.748e6, 2e-4);
     c.checkBelow("saturated: along the field", mag(m ^ B)/(m & B), 1e-15);
-    c.check("saturated: nothing in no field", mag(iron->moment(1, R, Zero)) == 0);
+    c.check
+    (
+        "saturated: nothing in no field", mag(iron->moment(1, R, Zero)) == 0
+    );
 
     const auto magnet(law("type permanent; direction (0 3 4); moment 5e-12;"));
     c.checkBelow
@@ -93,7 +96,10 @@ void checkMagnetisations(checks& c)
         "permanent: turns with the body, whatever the field",
         mag(magnet->moment(2e-18, R, B) - 1e-12*(R & vector(0, 3, 4))), 1e-26
     );
-    const auto part(law("type permanent; direction (1 0 0); magnetisation 8e5;"));
+    const auto part
+    (
+        law("type permanent; direction (1 0 0); magnetisation 8e5;")
+    );
     c.checkClose
     (
         "permanent: per volume", mag(part->moment(2e-18, R, B)), 1.6e-12, 1e-14

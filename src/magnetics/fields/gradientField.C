@@ -21,6 +21,7 @@ Foam::fsbi::gradientField::gradientField
     const checkedDictionary& entries, const units& u
 )
 :
+    dict_(entries.dict()),
     centre_(entries.get<point>("centre")),
     axis_(Zero),
     length_(1/u.metre())
@@ -47,11 +48,11 @@ Foam::symmTensor Foam::fsbi::gradientField::G(const scalar t) const
     const symmTensor g(components_->value(t));
     if (mag(tr(g)) > 1e-6*mag(g))
     {
-        FatalErrorInFunction
-            << "The 'components' of a magnetic field's gradient at time " << t
-            << " are " << g << ", with the trace " << tr(g)
+        FatalIOErrorInFunction(dict_)
+            << "Entry 'components' at time " << t << " is " << g
+            << ", with the trace " << tr(g)
             << ": a magnetic field has no sources, the trace must be zero"
-            << exit(FatalError);
+            << exit(FatalIOError);
     }
     return g;
 }
