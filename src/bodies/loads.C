@@ -5,11 +5,11 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "loads.H"
 
-Foam::fsbi::loads::loads(const labelList& nTriangles)
+Foam::fsbi::loads::loads(const List<List<triFace>>& triangles)
 :
-    nTriangles_(nTriangles),
-    force_(nTriangles.size(), sixVector(scalar(0))),
-    stiffness_(nTriangles.size(), sixMatrix(sixVector(scalar(0))))
+    triangles_(triangles),
+    force_(triangles.size(), sixVector(scalar(0))),
+    stiffness_(triangles.size(), sixMatrix(sixVector(scalar(0))))
 {}
 
 
@@ -90,11 +90,11 @@ bool Foam::fsbi::loads::stiff(const label bodyi) const
 }
 
 
-bool Foam::fsbi::loads::onTriangles() const
+bool Foam::fsbi::loads::onElastic() const
 {
     const auto elastic = [this](const site& s)
     {
-        return s.body >= 0 && nTriangles_[s.body] > 0;
+        return s.body >= 0 && triangles_[s.body].size();
     };
     for (const spring& s : springs_)
     {
@@ -110,29 +110,49 @@ bool Foam::fsbi::loads::onTriangles() const
 Foam::fsbi::loads::onBodies Foam::fsbi::loads::zero() const
 {
     onBodies result;
-    result.whole.setSize(nTriangles_.size(), sixVector(scalar(0)));
-    result.triangles.setSize(nTriangles_.size());
-    forAll(nTriangles_, b)
+    result.whole.setSize(triangles_.size(), sixVector(scalar(0)));
+    result.triangles.setSize(triangles_.size());
+    forAll(triangles_, b)
     {
-        result.triangles[b] = vectorField(nTriangles_[b], Zero);
+        result.triangles[b] = vectorField(triangles_[b].size(), Zero);
     }
+    return result;
+}
+
+
+Foam::fsbi::loads::ofBodies Foam::fsbi::loads::atRest() const
+{
+    ofBodies result;
+    result.whole.setSize(triangles_.size(), sixVector(scalar(0)));
+    result.points.setSize(triangles_.size());
     return result;
 }
 
 
 Foam::vector Foam::fsbi::loads::displacement
 (
-    const site& s, const onBodies& u
+    const site& s, const ofBodies& u
 ) const
 {
     if (s.body < 0)
     {
         return Zero;
     }
+    if (triangles_[s.body].empty())
+    {
+        const sixVector& whole = u.whole[s.body];
+        return linear(whole) + (angular(whole) ^ s.arm);
+    }
+    const vectorField& points = u.points[s.body];
+    if (points.empty())
+    {
+        return Zero;
+    }
+    const triFace& f = triangles_[s.body][s.triangle];
     return
-        nTriangles_[s.body]
-      ? u.triangles[s.body][s.triangle]
-      : linear(u.whole[s.body]) + (angular(u.whole[s.body]) ^ s.arm);
+        s.weights.x()*points[f[0]]
+      + s.weights.y()*points[f[1]]
+      + s.weights.z()*points[f[2]];
 }
 
 
@@ -145,7 +165,7 @@ void Foam::fsbi::loads::pull
     {
         return;
     }
-    if (nTriangles_[s.body])
+    if (triangles_[s.body].size())
     {
         sum.triangles[s.body][s.triangle] += force;
         return;
@@ -173,7 +193,7 @@ Foam::fsbi::loads::onBodies Foam::fsbi::loads::forces() const
 
 Foam::fsbi::loads::onBodies Foam::fsbi::loads::changes
 (
-    const onBodies& u
+    const ofBodies& u
 ) const
 {
     onBodies sum(zero());
@@ -202,7 +222,7 @@ Foam::fsbi::loads::onBodies Foam::fsbi::loads::changes
 
 Foam::scalarField Foam::fsbi::loads::springConstants(const label bodyi) const
 {
-    scalarField sum(nTriangles_[bodyi], Zero);
+    scalarField sum(triangles_[bodyi].size(), Zero);
     for (const spring& s : springs_)
     {
         for (const site* end : {&s.a, &s.b})

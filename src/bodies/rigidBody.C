@@ -7,44 +7,11 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "bodyShape.H"
 #include "checkedDictionary.H"
 #include "mathematicalConstants.H"
-#include "OStringStream.H"
 
 const Foam::wordList Foam::fsbi::rigidBody::integrators
 ({
     "monolithic", "explicitEuler", "semiImplicit"
 });
-
-
-namespace Foam
-{
-
-//- Rotation by a vector of angle and axis
-static quaternion rotationBy(const vector& angle)
-{
-    const scalar a = mag(angle);
-    return a > VSMALL ? quaternion(angle/a, a) : quaternion::I;
-}
-
-//- The vector of angle and axis, at most half a turn, of a rotation
-static vector angleOf(const quaternion& q)
-{
-    const scalar sine = mag(q.v());
-    return
-        sine > VSMALL
-      ? (2*std::atan2(sign(q.w())*sine, mag(q.w()))/sine)*q.v()
-      : vector(Zero);
-}
-
-//- The entries of a dictionary, one per line
-static string textOf(const dictionary& dict)
-{
-    OStringStream os;
-    os.precision(17);
-    dict.write(os, false);
-    return os.str();
-}
-
-} // End namespace Foam
 
 
 Foam::fsbi::rigidBody::rigidBody
@@ -430,19 +397,8 @@ void Foam::fsbi::rigidBody::endStep()
 
 void Foam::fsbi::rigidBody::save(dictionary& dict) const
 {
-    const auto write = [&](const word& level, const state& s)
-    {
-        dictionary sub;
-        sub.set("centre", s.centre);
-        sub.set("orientation", s.orientation);
-        sub.set("velocity", linear(s.velocity));
-        sub.set("angularVelocity", angular(s.velocity));
-        sub.set("force", linear(s.load));
-        sub.set("torque", angular(s.load));
-        dict.set(level, sub);
-    };
-    write("now", now_);
-    write("older", older_);
+    dict.set("now", now_.saved());
+    dict.set("older", older_.saved());
     dict.set("start", start_);
     dict.set("step", oldStep_);
     dict.set("accepted", accepted_);
@@ -454,19 +410,8 @@ void Foam::fsbi::rigidBody::save(dictionary& dict) const
 
 void Foam::fsbi::rigidBody::restore(const dictionary& dict)
 {
-    const auto read = [&](const word& level, state& s)
-    {
-        const dictionary& sub = dict.subDict(level);
-        s.centre = sub.get<point>("centre");
-        s.orientation = sub.get<quaternion>("orientation");
-        s.velocity = join
-        (
-            sub.get<vector>("velocity"), sub.get<vector>("angularVelocity")
-        );
-        s.load = join(sub.get<vector>("force"), sub.get<vector>("torque"));
-    };
-    read("now", now_);
-    read("older", older_);
+    now_.restore(dict.subDict("now"));
+    older_.restore(dict.subDict("older"));
     old_ = now_;
     start_ = dict.get<point>("start");
     oldStep_ = dict.get<scalar>("step");

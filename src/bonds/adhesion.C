@@ -167,13 +167,17 @@ void Foam::fsbi::adhesion::addSets
             {
                 continue;
             }
-            if (pair.faces && (surfaces.isWall(a) || surfaces.isWall(b)))
+            if
+            (
+                (pair.faces || pair.faceCorrection != "none")
+             && (surfaces.isWall(a) || surfaces.isWall(b))
+            )
             {
                 FatalIOErrorInFunction(dict)
                     << "The wall '"
                     << surfaces.name(surfaces.isWall(a) ? a : b)
-                    << "' has no faces; 'sites' must be 'molecules'"
-                    << exit(FatalIOError);
+                    << "' has no faces; 'sites' must be 'molecules', without"
+                    << " 'faceCorrection'" << exit(FatalIOError);
             }
             // molecules of a wall are a density, never receptors
             const bool turned = surfaces.isWall(a);
@@ -212,6 +216,26 @@ bool Foam::fsbi::adhesion::unblocked
     return
         fraction == 0
      || sets_[set].places.at(1, site).uniform() > fraction;
+}
+
+
+bool Foam::fsbi::adhesion::holds
+(
+    const label set, const label site, const label pair, const label ligands
+) const
+{
+    if (set >= sets_.size() || site >= sets_[set].sites.size())
+    {
+        return false;
+    }
+    for (const target& t : sets_[set].targets)
+    {
+        if (t.pair == pair && t.ligands == ligands)
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 

@@ -30,13 +30,10 @@ Foam::fsbi::bondPair::bondPair
     }
     faces = entries.choice("sites", {"molecules", "faces"}, "molecules")
      == "faces";
-    if (faces)
-    {
-        faceCorrection = entries.choice
-        (
-            "faceCorrection", {"none", "global", "conserving"}, "none"
-        );
-    }
+    faceCorrection = entries.choice
+    (
+        "faceCorrection", {"none", "global", "conserving"}, "none"
+    );
     entries.finish();
     rate.reset(new contactRate(law(), roughness));
 }

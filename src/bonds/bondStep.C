@@ -13,17 +13,17 @@ Foam::fsbi::bondStep::bondStep
     const adhesion& a,
     const surfacesNow& surfaces,
     bondMap& bonds,
+    clockMap& clocks,
     DynamicList<bondEvent>& events,
-    const scalar time,
-    const label step
+    const scalar time
 )
 :
     adhesion_(a),
     surfaces_(surfaces),
     bonds_(bonds),
+    clocks_(clocks),
     events_(events),
-    time_(time),
-    step_(step)
+    time_(time)
 {
     for (const auto& b : bonds_)
     {
@@ -85,6 +85,8 @@ void Foam::fsbi::bondStep::findMolecules
     const scalar blocked =
         adhesion_.populations()[s.receptors].blockedAt(time_);
 
+    scalar gap = GREAT, sum = 0;
+    DynamicList<label> found;
     surfacesNow::contact at;
     forAll(s.sites, site)
     {
@@ -102,7 +104,18 @@ void Foam::fsbi::bondStep::findMolecules
                 (
                     candidate{t.pair, t.ligands, k, at, -1}
                 );
+                found.append(number_[{set, site}]);
+                sum += k;
+                gap = min(gap, at.gap);
             }
+        }
+    }
+    if (adhesion_.pairs()[t.pair].faceCorrection != "none" && found.size())
+    {
+        const scalar scale = correctedRate(t, gap)/sum;
+        for (const label i : found)
+        {
+            active_[i].ways.last().rate *= scale;
         }
     }
 }
@@ -186,12 +199,21 @@ Foam::fsbi::bondStep::candidates(const label set, const label site) const
 }
 
 
-Foam::fsbi::counterRandom::stream Foam::fsbi::bondStep::draws
+Foam::fsbi::reactingSites::clock& Foam::fsbi::bondStep::clockOf
 (
     const label i
+)
+{
+    return clocks_[{active_[i].set, active_[i].site}];
+}
+
+
+Foam::fsbi::counterRandom::stream Foam::fsbi::bondStep::draws
+(
+    const label i, const label event
 ) const
 {
-    return adhesion_.sets()[active_[i].set].events.at(step_, active_[i].site);
+    return adhesion_.sets()[active_[i].set].events.at(event, active_[i].site);
 }
 
 

@@ -50,6 +50,24 @@ Foam::labelList Foam::fsbi::bondStep::facesNear
 }
 
 
+Foam::scalar Foam::fsbi::bondStep::correctedRate
+(
+    const adhesion::target& t, const scalar gap
+) const
+{
+    const bondPair& pair = adhesion_.pairs()[t.pair];
+    const adhesion::population& ligands = adhesion_.populations()[t.ligands];
+    const bodySurface& surface = surfaces_.surface(ligands.surface);
+    // closer than at rest a molecule need not be shortened: it tilts
+    const scalar l = pair.faces
+      ? gap - pair.roughness
+      : max(gap - pair.roughness, pair.law->lambda());
+    return
+        ligands.freeDensity(time_)*surface.area()*pair.law->kOn(l)
+       *(pair.faceCorrection == "global" ? surface.triangles().size() : 1);
+}
+
+
 void Foam::fsbi::bondStep::findFaces
 (
     const label set, const adhesion::target& t
@@ -101,12 +119,7 @@ void Foam::fsbi::bondStep::findFaces
     scalar scale = scaled ? 0 : Foam::exp(largest);
     if (scaled && sum > 0)
     {
-        const bodySurface& surface = surfaces_.surface(b);
-        scale = density*surface.area()*pair.law->kOn(gap - pair.roughness)/sum;
-        if (pair.faceCorrection == "global")
-        {
-            scale *= surface.triangles().size();
-        }
+        scale = correctedRate(t, gap)/sum;
     }
     for (const option& o : options)
     {

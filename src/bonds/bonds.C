@@ -22,7 +22,6 @@ Foam::fsbi::bonds::bonds(const dictionary& dict, const surroundings& around)
 :
     effect(around),
     maxStretch_(1),
-    step_(0),
     dt_(0)
 {
     const checkedDictionary entries(dict);
@@ -68,11 +67,13 @@ Foam::point Foam::fsbi::bonds::end
 void Foam::fsbi::bonds::apply(loads& l) const
 {
     const surfacesNow now(around_);
-    const auto site = [&](const label body, const label triangle, const point& x)
+    const auto site =
+        [&](const label body, const materialPoint& at, const point& x)
     {
         return loads::site
         {
-            body, triangle, x - around_.bodies[body].placed().centre
+            body, at.triangle, x - around_.bodies[body].placed().centre,
+            vector(1 - at.b - at.c, at.b, at.c)
         };
     };
     for (const auto& entry : bonds_)
@@ -92,9 +93,9 @@ void Foam::fsbi::bonds::apply(loads& l) const
         l.add
         (
             {
-                site(s.body, start.triangle, x),
+                site(s.body, start, x),
                 now.isWall(other)
-              ? loads::site() : site(other, b.end.triangle, y),
+              ? loads::site() : site(other, b.end, y),
                 f*e,
                 pair.law->s()*along
               + max(f/distance, scalar(0))*(tensor::I - along)
@@ -106,13 +107,15 @@ void Foam::fsbi::bonds::apply(loads& l) const
 
 void Foam::fsbi::bonds::beginStep()
 {
-    old_ = bonds_;
+    oldBonds_ = bonds_;
+    oldClocks_ = clocks_;
     events_.clear();
     const scalar dt = around_.time.deltaTValue();
     const surfacesNow now(around_);
     bondStep step
     (
-        adhesion_(), now, bonds_, events_, around_.time.value() - dt, step_
+        adhesion_(), now, bonds_, clocks_, events_,
+        around_.time.value() - dt
     );
     step.advance(dt);
     dt_ = dt;
@@ -121,7 +124,8 @@ void Foam::fsbi::bonds::beginStep()
 
 void Foam::fsbi::bonds::rewind()
 {
-    bonds_ = old_;
+    bonds_ = oldBonds_;
+    clocks_ = oldClocks_;
     events_.clear();
     dt_ = 0;
 }
@@ -139,14 +143,12 @@ void Foam::fsbi::bonds::endStep()
         }
     }
     dt_ = 0;
-    ++step_;
 }
 
 
 void Foam::fsbi::bonds::save(dictionary& state) const
 {
     adhesion_->save(state);
-    state.set("step", step_);
     labelList labels;
     scalarList numbers;
     for (const auto& entry : bonds_)
@@ -170,13 +172,28 @@ void Foam::fsbi::bonds::save(dictionary& state) const
     }
     state.set("labels", labels);
     state.set("numbers", numbers);
+
+    labelList events;
+    scalarList left;
+    for (const auto& entry : clocks_)
+    {
+        events.append
+        (
+            labelList
+            ({
+                entry.first.first, entry.first.second, entry.second.events
+            })
+        );
+        left.append(entry.second.left);
+    }
+    state.set("events", events);
+    state.set("left", left);
 }
 
 
 void Foam::fsbi::bonds::restore(const dictionary& state)
 {
     adhesion_->restore(state);
-    step_ = state.get<label>("step");
     const labelList labels(state.get<labelList>("labels"));
     const scalarList numbers(state.get<scalarList>("numbers"));
     bonds_.clear();
@@ -187,7 +204,20 @@ void Foam::fsbi::bonds::restore(const dictionary& state)
         b.ligands = labels[i + 3];
         b.end = {labels[i + 4], numbers[i], numbers[i + 1]};
         b.anchor = point(numbers[i + 2], numbers[i + 3], numbers[i + 4]);
+        if (!adhesion_->holds(labels[i], labels[i + 1], b.pair, b.ligands))
+        {
+            FatalErrorInFunction
+                << "The saved bonds do not fit the molecules and pairs of"
+                << " constant/effects, which must not change at a restart"
+                << exit(FatalError);
+        }
         bonds_.insert({{labels[i], labels[i + 1]}, b});
     }
-    old_ = bonds_;
+    const labelList events(state.get<labelList>("events"));
+    const scalarList left(state.get<scalarList>("left"));
+    clocks_.clear();
+    forAll(left, i)
+    {
+        clocks_[{events[3*i], events[3*i + 1]}] = {events[3*i + 2], left[i]};
+    }
 }

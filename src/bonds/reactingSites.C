@@ -18,7 +18,6 @@ namespace
     {
         scalar time;
         label site;
-        fsbi::counterRandom::stream draws;
 
         //- Is this one later? Sites in their order if at the same time
         bool operator<(const appointment& other) const
@@ -32,30 +31,39 @@ namespace
 void Foam::fsbi::reactingSites::advance(const scalar dt)
 {
     std::priority_queue<appointment> events;
-    const auto appoint = [&](appointment event)
+    const auto appoint = [&](const label site, const scalar time)
     {
-        const scalar k = rate(event.site);
-        if (k > 0)
+        clock& c = clockOf(site);
+        if (c.left < 0)
         {
-            const scalar wait = -std::log(event.draws.uniform());
-            // compared before division, for the quotient may overflow
-            if (wait < k*(dt - event.time))
-            {
-                event.time += wait/k;
-                events.push(event);
-            }
+            c.left = -std::log(draws(site, c.events).uniform());
+        }
+        const scalar k = rate(site);
+        // compared before division, for the quotient may overflow
+        if (c.left < k*(dt - time))
+        {
+            events.push({time + c.left/k, site});
+        }
+        else
+        {
+            c.left -= k*(dt - time);
         }
     };
 
     for (label site = 0; site < size(); ++site)
     {
-        appoint({0, site, draws(site)});
+        appoint(site, 0);
     }
     while (!events.empty())
     {
-        appointment next(events.top());
+        const appointment next(events.top());
         events.pop();
-        react(next.site, next.time, next.draws);
-        appoint(next);
+        clock& c = clockOf(next.site);
+        counterRandom::stream numbers(draws(next.site, c.events));
+        numbers.uniform();      // the clock's own
+        react(next.site, next.time, numbers);
+        ++c.events;
+        c.left = -1;
+        appoint(next.site, next.time);
     }
 }

@@ -10,7 +10,7 @@ Foam::fsbi::effectList::effectList
 (
     const Time& time,
     const UPtrList<immersedBody>& bodies,
-    const labelList& nTriangles,
+    const List<List<triFace>>& triangles,
     const List<planeWall>& walls,
     const scalar mu,
     timings& t,
@@ -19,7 +19,7 @@ Foam::fsbi::effectList::effectList
 :
     timings_(t),
     around_({time, bodies, walls, mu}),
-    loads_(nTriangles)
+    loads_(triangles)
 {
     read(saved);
 }

@@ -44,19 +44,13 @@ Foam::fsbi::recorder::recorder
 
 void Foam::fsbi::recorder::declare()
 {
-    const wordList xyz({"x", "y", "z"});
     for (const rigidBody& body : scene_.bodies())
     {
-        const fileName path("bodies"/body.name());
-        history_.declare(path/"position", xyz, "L");
-        history_.declare(path/"orientation", {"w", "x", "y", "z"}, "quaternion");
-        history_.declare(path/"velocity", xyz, "L/T");
-        history_.declare(path/"angularVelocity", xyz, "rad/T");
-        for (const word source : {"fluid", "applied"})
-        {
-            history_.declare(path/"force"/source, xyz, "M L/T^2");
-            history_.declare(path/"torque"/source, xyz, "M L^2/T^2");
-        }
+        declareMotion(body.name(), {"fluid", "applied"});
+    }
+    for (const prescribedBody& body : scene_.prescribed())
+    {
+        declareMotion(body.name(), {"fluid"});
     }
     for (const solidRegion& body : scene_.solids())
     {
@@ -90,6 +84,25 @@ void Foam::fsbi::recorder::append
 )
 {
     history_.append("effects"/path, time_.value(), row);
+}
+
+
+void Foam::fsbi::recorder::declareMotion
+(
+    const word& body, const wordList& sources
+)
+{
+    const wordList xyz({"x", "y", "z"});
+    const fileName path("bodies"/body);
+    history_.declare(path/"position", xyz, "L");
+    history_.declare(path/"orientation", {"w", "x", "y", "z"}, "quaternion");
+    history_.declare(path/"velocity", xyz, "L/T");
+    history_.declare(path/"angularVelocity", xyz, "rad/T");
+    for (const word& source : sources)
+    {
+        history_.declare(path/"force"/source, xyz, "M L/T^2");
+        history_.declare(path/"torque"/source, xyz, "M L^2/T^2");
+    }
 }
 
 
@@ -132,14 +145,14 @@ void Foam::fsbi::recorder::openSeries()
     {
         return;
     }
+    const string motion
+    (
+        "position(xyz) quaternion(wxyz) velocity(xyz)"
+        " angularVelocity(xyz) fluidForce(xyz) fluidTorque(xyz)"
+    );
     for (const rigidBody& body : scene_.bodies())
     {
-        openSeries
-        (
-            body.name(),
-            "position(xyz) quaternion(wxyz) velocity(xyz)"
-            " angularVelocity(xyz) fluidForce(xyz) fluidTorque(xyz)"
-        );
+        openSeries(body.name(), motion);
     }
     for (const solidRegion& body : scene_.solids())
     {
@@ -156,6 +169,10 @@ void Foam::fsbi::recorder::openSeries()
               : ""
             )
         );
+    }
+    for (const prescribedBody& body : scene_.prescribed())
+    {
+        openSeries(body.name(), motion);
     }
 }
 
@@ -176,7 +193,7 @@ void Foam::fsbi::recorder::openSeries(const word& body, const string& columns)
 void Foam::fsbi::recorder::appendSeries
 (
     OFstream& os,
-    const rigidBody::state& s
+    const bodyState& s
 ) const
 {
     const auto add = [&](const vector& v)
@@ -242,18 +259,18 @@ void Foam::fsbi::recorder::finishRow(OFstream& os) const
 }
 
 
-void Foam::fsbi::recorder::appendHistory(const rigidBody& body)
+void Foam::fsbi::recorder::appendMotion
+(
+    const word& body, const bodyState& s
+)
 {
     const scalar t = time_.value();
-    const fileName path("bodies"/body.name());
+    const fileName path("bodies"/body);
     const auto add = [&](const fileName& table, const vector& v)
     {
         history_.append(path/table, t, scalarList({v.x(), v.y(), v.z()}));
     };
-    const rigidBody::state& s = body.now();
     const vector& q = s.orientation.v();
-    const sixVector applied(body.applied(t));
-
     add("position", s.centre);
     history_.append
     (
@@ -264,6 +281,19 @@ void Foam::fsbi::recorder::appendHistory(const rigidBody& body)
     add("angularVelocity", angular(s.velocity));
     add("force/fluid", linear(s.load));
     add("torque/fluid", angular(s.load));
+}
+
+
+void Foam::fsbi::recorder::appendHistory(const rigidBody& body)
+{
+    const scalar t = time_.value();
+    const fileName path("bodies"/body.name());
+    const auto add = [&](const fileName& table, const vector& v)
+    {
+        history_.append(path/table, t, scalarList({v.x(), v.y(), v.z()}));
+    };
+    const sixVector applied(body.applied(t));
+    appendMotion(body.name(), body.now());
     add("force/applied", linear(applied));
     add("torque/applied", angular(applied));
 }
@@ -326,6 +356,19 @@ void Foam::fsbi::recorder::append()
     if (scene_.effects())
     {
         scene_.effects()->record(*this);
+    }
+    forAll(scene_.prescribed(), b)
+    {
+        const prescribedBody& body = scene_.prescribed()[b];
+        appendMotion(body.name(), body.now());
+        if (Pstream::master())
+        {
+            appendSeries
+            (
+                series_[scene_.bodies().size() + scene_.solids().size() + b],
+                body.now()
+            );
+        }
     }
     history_.append
     (

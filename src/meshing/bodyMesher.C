@@ -120,7 +120,10 @@ Foam::fsbi::meshLists Foam::fsbi::bodyMesher::fill
 {
     checkSurface(patchName, surface);
     const serialScope serial;
-    const innerSize wanted(surface, size, controls_.growth);
+    const innerSize wanted
+    (
+        surface, size > 0 ? size : controls_.farSize, controls_.growth
+    );
     meshLists mesh
     (
         firstGoodMesh

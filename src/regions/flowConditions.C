@@ -233,6 +233,42 @@ void Foam::fsbi::flowConditions::evaluate
     }
     setVertices(U, stokes, given);
     balanceFluxes(stokes, given);
+    setBodies(U, stokes, given);
+}
+
+
+const Foam::fsbi::prescribedBody* Foam::fsbi::flowConditions::prescribed
+(
+    const word& patch
+) const
+{
+    const label b = namesOf(mesh_.bodies()).find(patch);
+    return b < 0 ? nullptr : isA<prescribedBody>(mesh_.bodies()[b]);
+}
+
+
+void Foam::fsbi::flowConditions::setBodies
+(
+    volVectorField& U,
+    const stokesOperator& stokes,
+    boundaryValues& given
+) const
+{
+    for (fvPatchVectorField& pf : U.boundaryFieldRef())
+    {
+        if (const auto* body = prescribed(pf.patch().name()))
+        {
+            vectorField u(pf.size());
+            forAll(u, i)
+            {
+                u[i] = body->velocityAt(pf.patch().Cf()[i], pf.patch().Sf()[i]);
+            }
+            pf == u;
+            const label start =
+                pf.patch().start() - mesh_.mesh().nInternalFaces();
+            SubField<vector>(given.faces, u.size(), start) = u;
+        }
+    }
 }
 
 
@@ -257,6 +293,13 @@ void Foam::fsbi::flowConditions::setVertices
         if (profile)
         {
             u = profile->valueAt(pp.localPoints(), time_.value());
+        }
+        else if (const auto* body = prescribed(pp.name()))
+        {
+            forAll(u, i)
+            {
+                u[i] = body->velocityAt(pp.localPoints()[i]);
+            }
         }
         else if (!mesh_.isBody(pp.name()))
         {

@@ -142,7 +142,7 @@ bool Foam::fsbi::fluidMesh::generate
         List<bodySurface> surfaces(bodies_.size());
         forAll(bodies_, b)
         {
-            surfaces[b] = bodies_[b].placedSurface();
+            surfaces[b] = bodies_[b].meshedSurface();
         }
         // once there is a mesh, bodies that overlap are no wrong input: the
         // step was too long
@@ -210,7 +210,7 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap() const
         };
     forAll(bodies_, b)
     {
-        const bodySurface surface(bodies_[b].placedSurface());
+        const bodySurface surface(bodies_[b].meshedSurface());
         approach(walls_(), surface.points(), moved);
         if (bodies_.size() > 1)
         {
@@ -219,7 +219,7 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap() const
             {
                 approach
                 (
-                    tree, bodies_[other].placedSurface().points(), Zero
+                    tree, bodies_[other].meshedSurface().points(), Zero
                 );
             }
         }

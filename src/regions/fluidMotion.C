@@ -32,7 +32,7 @@ Foam::fsbi::fluidMotion::fluidMotion
 {
     forAll(bodies_, b)
     {
-        surfaces_[b] = bodies_[b].placedSurface();
+        surfaces_[b] = bodies_[b].meshedSurface();
     }
     create();
 }
@@ -57,7 +57,7 @@ Foam::fsbi::fluidMotion::fluidMotion
     forAll(bodies_, b)
     {
         surfaces_[b] =
-            bodySurface(points[b], bodies_[b].placedSurface().triangles());
+            bodySurface(points[b], bodies_[b].meshedSurface().triangles());
         placements_[b] = {centres[b], orientations[b]};
     }
     create();
@@ -115,7 +115,7 @@ Foam::pointField Foam::fsbi::fluidMotion::points(const vector& frameShift) const
     {
         if (bodies_[b].deforms())
         {
-            const bodySurface now(bodies_[b].placedSurface());
+            const bodySurface now(bodies_[b].meshedSurface());
             forAll(meshPoints_[b], i)
             {
                 const label p = meshPoints_[b][i];

@@ -264,6 +264,15 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
 }
 
 
+Foam::fsbi::sixVector Foam::fsbi::fluidRegion::load(const label bodyi) const
+{
+    List<bodyRows> rows(1);
+    rows[0].centre = mesh_.bodies()[bodyi].placed().centre;
+    rows[0].faces = bodyFaces_[bodyi];
+    return bodyLoads(mesh(), rows, traction_)[0];
+}
+
+
 void Foam::fsbi::fluidRegion::prepare(UList<bodyRows>& rows)
 {
     forAll(rows, b)

@@ -107,10 +107,7 @@ bool Foam::fsbi::scene::advanceFlow()
     // without a history the first pass only finds the velocity to place with
     for (label pass = extrapolated ? 1 : 0; pass < 2; ++pass)
     {
-        for (rigidBody& body : bodies_)
-        {
-            body.advance(time_.deltaTValue());
-        }
+        placeBodies();
         const bool good =
             coupling_
           ? solveCoupled()
@@ -120,7 +117,30 @@ bool Foam::fsbi::scene::advanceFlow()
             return false;
         }
     }
+    takePrescribedLoads();
     return true;
+}
+
+
+void Foam::fsbi::scene::placeBodies()
+{
+    for (rigidBody& body : bodies_)
+    {
+        body.advance(time_.deltaTValue());
+    }
+    for (prescribedBody& body : prescribed_)
+    {
+        body.advance(time_.value(), time_.deltaTValue());
+    }
+}
+
+
+void Foam::fsbi::scene::takePrescribedLoads()
+{
+    forAll(prescribed_, b)
+    {
+        prescribed_[b].set(fluid_->load(bodies_.size() + solids_.size() + b));
+    }
 }
 
 
@@ -152,6 +172,10 @@ void Foam::fsbi::scene::beginStep()
     {
         solid.beginStep();
     }
+    for (prescribedBody& body : prescribed_)
+    {
+        body.beginStep();
+    }
     if (fluid_)
     {
         fluid_->beginStep();
@@ -177,6 +201,10 @@ void Foam::fsbi::scene::rewind()
     for (solidRegion& solid : solids_)
     {
         solid.rewind();
+    }
+    for (prescribedBody& body : prescribed_)
+    {
+        body.rewind();
     }
     if (fluid_)
     {
@@ -207,6 +235,10 @@ void Foam::fsbi::scene::endStep()
     {
         effects_->endStep();
     }
+    for (prescribedBody& body : prescribed_)
+    {
+        body.endStep();
+    }
     if (coupling_)
     {
         coupling_->endStep();
@@ -228,6 +260,12 @@ void Foam::fsbi::scene::save(dictionary& state) const
         dictionary dict;
         solid.save(dict);
         bodies.set(solid.name(), dict);
+    }
+    for (const prescribedBody& body : prescribed_)
+    {
+        dictionary dict;
+        body.save(dict);
+        bodies.set(body.name(), dict);
     }
     state.set("bodies", bodies);
     if (fluid_)

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "scene.H"
+#include "rollingLeukocyte.H"
 #include "Time.H"
 #include "IFstream.H"
 #include "HashSet.H"
@@ -38,6 +39,10 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
         {
             immersed_.append(&solid.surface());
         }
+        for (prescribedBody& body : prescribed_)
+        {
+            immersed_.append(&body);
+        }
         fluid_.reset
         (
             new fluidRegion
@@ -67,17 +72,17 @@ void Foam::fsbi::scene::createEffects(const dictionary& saved)
         return;
     }
     checkEffects();
-    labelList nTriangles(immersed_.size(), 0);
+    List<List<triFace>> triangles(immersed_.size());
     forAll(solids_, e)
     {
-        nTriangles[bodies_.size() + e] =
-            solids_[e].surface().placedSurface().triangles().size();
+        triangles[bodies_.size() + e] =
+            solids_[e].surface().placedSurface().triangles();
     }
     effects_.reset
     (
         new effectList
         (
-            time_, immersed_, nTriangles, fluid_->walls(), fluid_->mu(),
+            time_, immersed_, triangles, fluid_->walls(), fluid_->mu(),
             timings_, saved
         )
     );
@@ -117,11 +122,15 @@ bool Foam::fsbi::scene::fluidGiven() const
 
 void Foam::fsbi::scene::checkParts() const
 {
-    if (!fluidGiven() && (bodies_.size() || solids_.empty()))
+    if
+    (
+        !fluidGiven()
+     && (bodies_.size() || prescribed_.size() || solids_.empty())
+    )
     {
         FatalErrorInFunction
-            << "There is no file constant/fluid/material, which rigid bodies"
-            << " need; a scene without fluid has elastic bodies only"
+            << "There is no file constant/fluid/material, which rigid and"
+            << " rolling bodies need; a scene without fluid has elastic bodies only"
             << exit(FatalError);
     }
 }
@@ -236,12 +245,22 @@ void Foam::fsbi::scene::readBody
     (
         checkedDictionary(body.dict()).choice
         (
-            "type", {"rigidBody", "elasticBody"}
+            "type", {"rigidBody", "elasticBody", "rollingLeukocyte"}
         )
     );
     if (type == "rigidBody")
     {
         bodies_.append(new rigidBody(body.keyword(), body.dict(), saved));
+    }
+    else if (type == "rollingLeukocyte")
+    {
+        prescribed_.append
+        (
+            new rollingLeukocyte
+            (
+                body.keyword(), body.dict(), time_.value(), saved
+            )
+        );
     }
     else
     {

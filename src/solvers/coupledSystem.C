@@ -129,7 +129,7 @@ void Foam::fsbi::coupledSystem::renewIfStale()
     {
         elasticRows& body = *elastic_[e];
         body.springs = scalarField();
-        if (coupling_ && coupling_->onTriangles())
+        if (coupling_ && coupling_->onElastic())
         {
             body.springs = loads_->springConstants(bodies_->size() + e);
             springs += sum(body.springs);
@@ -264,12 +264,12 @@ Foam::fsbi::loads::onBodies Foam::fsbi::coupledSystem::effectForces
     {
         return coupling_->forces(v);
     }
-    List<vectorField> triangles(elastic_.size());
-    for (label e = 0; coupling_->onTriangles() && e < elastic_.size(); ++e)
+    List<vectorField> points(elastic_.size());
+    for (label e = 0; coupling_->onElastic() && e < elastic_.size(); ++e)
     {
-        triangles[e] = surfaceDisplacement(*elastic_[e], true).faces;
+        points[e] = surfaceDisplacement(*elastic_[e], true).points;
     }
-    return coupling_->changes(v, triangles);
+    return coupling_->changes(v, points);
 }
 
 

@@ -35,7 +35,7 @@ void Foam::fsbi::loadCoupling::factorise()
     const label n = 6*bodies_.size();
     factors_ = scalarSquareMatrix(n, n, Zero);
     pivots_.setSize(n);
-    loads::onBodies u(loads_.zero());
+    loads::ofBodies u(loads_.atRest());
     for (label j = 0; j < n; ++j)
     {
         scalar& unit = u.whole[j/6][j % 6];
@@ -65,7 +65,7 @@ Foam::fsbi::loads::onBodies Foam::fsbi::loadCoupling::forces
     {
         return sum;
     }
-    loads::onBodies u(loads_.zero());
+    loads::ofBodies u(loads_.atRest());
     forAll(bodies_, b)
     {
         forAll(v[b], k)
@@ -88,10 +88,10 @@ Foam::fsbi::loads::onBodies Foam::fsbi::loadCoupling::forces
 
 Foam::fsbi::loads::onBodies Foam::fsbi::loadCoupling::changes
 (
-    const UList<sixVector>& v, const UList<vectorField>& triangles
+    const UList<sixVector>& v, const UList<vectorField>& points
 ) const
 {
-    loads::onBodies u(loads_.zero());
+    loads::ofBodies u(loads_.atRest());
     forAll(bodies_, b)
     {
         forAll(v[b], k)
@@ -99,9 +99,9 @@ Foam::fsbi::loads::onBodies Foam::fsbi::loadCoupling::changes
             u.whole[b][k] = bodies_[b].gain*v[b][k];
         }
     }
-    forAll(triangles, e)
+    forAll(points, e)
     {
-        u.triangles[bodies_.size() + e] = triangles[e];
+        u.points[bodies_.size() + e] = points[e];
     }
     return loads_.changes(u);
 }

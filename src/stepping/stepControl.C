@@ -232,6 +232,10 @@ Foam::scalar Foam::fsbi::stepControl::smallestWanted(const scene& scene)
     {
         move(body.name(), body.now().velocity, body.radius());
     }
+    for (const prescribedBody& body : scene.prescribed())
+    {
+        move(body.name(), body.now().velocity, body.radius());
+    }
     for (label i = 0; scene.hasFluid() && i < scene.solids().size(); ++i)
     {
         const wettedSurface& surface = scene.solids()[i].surface();

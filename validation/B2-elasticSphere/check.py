@@ -12,6 +12,7 @@ from fsbi.case import Case, cases, reference
 from fsbi.results import Results
 
 RATE = 5e-5
+FOLD = 0.2353       # largest Ca with a steady ellipsoid, St.Venant-Kirchhoff, nu 0.133
 quick = sys.argv[1] == "true"
 results = Results("B2")
 steady = {row["Ca"]: row for row in reference("reference/steady.csv")}
@@ -63,6 +64,15 @@ def order():
                       title="Elastic sphere in shear, µγ/G = 0.05")
 
 
+def growth():
+    """The cells that grow away from the sphere must not hide its own error."""
+    coarse, fine = Case("runs/steady0.05"), Case("runs/growth0.05")
+    results.add("growth_adds_Ca0.05", coarse.shape("cell")[1][-1],
+                fine.shape("cell")[1][-1], 0.002,
+                seconds=fine.seconds, cells=fine.cells)
+    results.add("cells_abs", coarse.cells, 0, 24000)
+
+
 def start_up():
     run = Case("runs/startUp")
     time, D, _ = run.shape("cell")
@@ -105,22 +115,54 @@ def draw_iterations(found):
 
 def turns():
     run = Case("runs/turns")
-    _, D, _ = run.shape("cell")
     cost = run.history["cost"]
+    results.add("turns_iterations_over_first_abs",
+                cost["iterations"].max() / cost["iterations"][0], 0, 1.5,
+                seconds=run.seconds, cells=run.cells)
+    if quick:
+        return
+    _, D, _ = run.shape("cell")
     settled = D[len(D) // 20:]
     mean = settled.mean()
     results.add("turns_largest_deviation_abs",
                 np.abs(settled / mean - 1).max(), 0, 0.01, cells=run.cells)
-    results.add("turns_iterations_over_first_abs",
-                cost["iterations"].max() / cost["iterations"][0], 0, 1.5)
     volume = run.history["elasticBodies/cell/volume"]["now"]
     results.add("turns_volume_change_abs", np.ptp(volume[20:]) / volume[0], 0, 1e-3)
+
+
+def softening():
+    """Below the fold the shape becomes steady, above it the run stops with the
+    law's own message."""
+    below, above = [], []
+    for folder in sorted(glob.glob("runs/softening*")):
+        run = Case(folder)
+        Ca = float(folder.removeprefix("runs/softening"))
+        with open(f"{folder}/log.fsbiFoam") as log:
+            said = log.read()
+        if "FATAL" in said:
+            reason = said.split("FATAL")[1]
+            results.at_least(f"softening_Ca{Ca:g}_says_why",
+                             "softens in compression" in reason, 1, cells=run.cells)
+            above.append(Ca)
+        else:
+            time, D, _ = run.shape("cell")
+            before = np.interp(time[-1] - 1 / RATE, time, D)
+            results.add(f"softening_Ca{Ca:g}_still_changes_abs", abs(D[-1] - before),
+                        0, 2e-3, seconds=run.seconds, cells=run.cells)
+            below.append(Ca)
+    if quick:
+        results.at_least("softening_stops", len(above), 1)
+    else:
+        edges = max(below), min(above)
+        results.add("softening_fold", sum(edges) / 2, FOLD, 0.5 * (edges[1] - edges[0]) / FOLD)
 
 
 steady_shapes()
 iterations()
 if not quick:
     order()
+    growth()
     start_up()
-    turns()
+turns()
+softening()
 results.write()

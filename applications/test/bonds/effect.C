@@ -6,158 +6,14 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "bondChecks.H"
 #include "bonds.H"
 #include "caps.H"
-#include "mathematicalConstants.H"
 #include "OStringStream.H"
-
-using Foam::constant::mathematical::twoPi;
 
 namespace Foam
 {
 namespace fsbi
 {
 
-static const scalar on = 0.02, off = 1e-3, rest = 0.05, stiffness = 2;
-
-static std::string pairText(const std::string& kinds, const std::string& more)
-{
-    return "pair { kinds " + kinds + "; law Dembo; k0on 0.02; k0off 1e-3; "
-        "lambda 0.05; s 2; sts 1; " + more + "}";
-}
-
-// Exact mean number of bonds on a sphere's cap in equilibrium: every receptor
-// is a two-state process with the ratio that the energy alone decides
-static scalar expected
-(
-    const scalar receptors,
-    const scalar ligands,
-    const std::function<scalar(scalar)>& gap
-)
-{
-    const label n = 4000;
-    const scalar a = 0.5*stiffness/kT(310), top = 0.1;
-    scalar sum = 0;
-    for (label i = 0; i < n; ++i)
-    {
-        const scalar z = (i + 0.5)*top/n;
-        const scalar x = gap(z) - rest;
-        const scalar ratio = ligands*on/off*twoPi
-           *(
-                exp(-a*x*x)/(2*a)
-              + 0.5*rest*sqrt(constant::mathematical::pi/a)
-               *std::erfc(sqrt(a)*x)
-            );
-        sum += ratio/(1 + ratio);
-    }
-    return receptors*twoPi*4*top/n*sum;     // zones of a sphere of radius 4
-}
-
-
-//- Mean of some seeds after a time in some steps, and its deviation
-static scalar meanNumber
-(
-    testScene& scene, const std::string& what, const label steps,
-    scalar& deviation
-)
-{
-    const label seeds = 12;
-    scalar sum = 0, squares = 0;
-    for (label seed = 0; seed < seeds; ++seed)
-    {
-        scene.restartClock();
-        autoPtr<bonds> b(scene.make(what, seed));
-        for (label i = 0; i < steps; ++i)
-        {
-            scene.step(b(), 8e3/steps);
-        }
-        sum += b->all().size();
-        squares += sqr(scalar(b->all().size()));
-    }
-    deviation = sqrt((squares/seeds - sqr(sum/seeds))/(seeds - 1));
-    return sum/seeds;
-}
-
-
-static void checkNumbers(checks& c)
-{
-    const std::string onWall
-    (
-        "molecules { cap { A { density 1000; } } floor { B { density 100; } } }"
-        " pairs { " + pairText("(A B)", "") + "}"
-    );
-    const scalar g0 = 0.03;
-    const scalar exact = expected(1000, 100, [=](scalar z){ return g0 + z; });
-    scalar deviation;
-    scalarList errors, deviations;
-    for (const scalar size : {0.4, 0.2, 0.1})
-    {
-        testScene scene(size, g0);
-        scene.addWall();
-        errors.append(meanNumber(scene, onWall, 1, deviation) - exact);
-        deviations.append(deviation);
-        Info<< "    " << exact << " bonds expected, triangles of " << size
-            << ": " << errors.last() << " more, deviation " << deviation
-            << endl;
-    }
-    c.check
-    (
-        "bonds in equilibrium: triangles converge at second order",
-        mag(errors[0]) > 2.5*mag(errors[1])
-     && mag(errors[1]/4 - errors[2]) <= 3*deviations[2]
-    );
-    testScene scene(0.025, g0);
-    scene.addWall();
-    scalar once = 0;
-    for (const label steps : {1, 10})
-    {
-        const scalar mean = meanNumber(scene, onWall, steps, deviation);
-        checkSigma
-        (
-            c, "bonds in equilibrium, steps: " + std::to_string(steps), mean,
-            exact, deviation
-        );
-        once = steps == 1 ? mean : once;
-    }
-    c.check
-    (
-        "a density wrong by a tenth would be noticed",
-        !agrees(expected(1100, 100, [=](scalar z){ return g0 + z; }),
-            exact, deviation)
-    );
-
-    // the wall's molecules named first: the same sites bind
-    const scalar turned = meanNumber
-    (
-        scene,
-        "molecules { cap { A { density 1000; } } floor { B { density 100; } } }"
-        " pairs { " + pairText("(B A)", "") + "}", 1, deviation
-    );
-    c.check("kinds turned: the same bonds", turned == once);
-
-    // over a sphere of radius 8: distance from a point at height z
-    testScene spheres(0.025, g0);
-    spheres.addSphere(0.05);
-    const scalar two = meanNumber
-    (
-        spheres,
-        "molecules { cap { A { density 1000; } } ball { B { density 100; } } }"
-        " pairs { " + pairText("(A B)", "") + "}", 1, deviation
-    );
-    const scalar between = expected
-    (
-        1000, 100, [=](scalar z)
-        {
-            // axis distance squared is 2 4 z - z^2
-            return sqrt(sqr(8 + g0 + z) + 8*z - z*z) - 8;
-        }
-    );
-    // the other surface bends away over a bond's length
-    checkSigma
-    (
-        c, "bonds between two spheres", two, between,
-        sqrt(sqr(deviation) + sqr(between*rest/8/3))
-    );
-}
-
+static const scalar rest = 0.05;
 
 static const std::string twoKinds
 (
@@ -286,7 +142,7 @@ static void checkForces(checks& c)
     autoPtr<bonds> b(scene.make(what, 5));
     scene.begin(b(), 3000);
     scene.cap->centre += vector(0.003, 0.001, 0.004);
-    loads l(labelList(2, Zero));
+    loads l(List<List<triFace>>(2));
     b->apply(l);
     const loads::onBodies f(l.forces());
     const vector sum(linear(f.whole[0]) + linear(f.whole[1]));
@@ -301,7 +157,7 @@ static void checkForces(checks& c)
     c.checkBelow("force is minus that on the partner", mag(sum)/size, 1e-13);
     c.checkBelow("no moment in all", mag(moment)/size, 1e-12);
 
-    loads twice(labelList(2, Zero));
+    loads twice(List<List<triFace>>(2));
     b->apply(twice);
     c.check
     (
@@ -311,12 +167,12 @@ static void checkForces(checks& c)
 
     // force after a small displacement against the springs' stiffness; the
     // part that compression would soften is left out on purpose
-    loads::onBodies u(l.zero());
+    loads::ofBodies u(l.atRest());
     const vector shift(0, 0, 1e-7);
     u.whole[0] = join(shift, vector::zero);
     const vector predicted(linear(l.changes(u).whole[0]));
     scene.cap->centre += shift;
-    loads moved(labelList(2, Zero));
+    loads moved(List<List<triFace>>(2));
     b->apply(moved);
     const vector change(linear(moved.forces().whole[0]) - linear(f.whole[0]));
     c.checkBelow
@@ -369,8 +225,9 @@ static void checkSearch(checks& c)
     const adhesion& a = b->molecules();
     const surfacesNow now(scene.around());
     bondMap none;
+    clockMap clocks;
     DynamicList<bondEvent> events;
-    const bondStep step(a, now, none, events, 0, 0);
+    const bondStep step(a, now, none, clocks, events, 0);
 
     label found = 0, wrong = 0;
     const adhesion::siteSet& set = a.sets()[0];
@@ -418,63 +275,94 @@ static void checkSearch(checks& c)
 }
 
 
-static void checkFaces(checks& c)
+//- Keeps what is recorded
+class notebook
+:
+    public recording
 {
-    for (const std::string correction : {"none", "global", "conserving"})
-    {
-        scalarList totals;
-        for (const scalar size : {0.3, 0.15, 0.02})
-        {
-            testScene scene(size, 0.045, size < 0.1 ? 0.3 : 1.2);
-            scene.addSphere(size, point::max, size < 0.1 ? 0.3 : 1.2);
-            autoPtr<bonds> b
-            (
-                scene.make
-                (
-                    "molecules { cap { A { density 200; } }"
-                    " ball { B { density 200; } } } pairs { "
-                  + pairText
-                    (
-                        "(A B)",
-                        "sites faces; faceCorrection " + correction + ";"
-                    ) + "}", 5
-                )
-            );
-            const adhesion& a = b->molecules();
-            const surfacesNow now(scene.around());
-            bondMap bound;
-            DynamicList<bondEvent> events;
-            bondStep step(a, now, bound, events, 0, 0);
-            scalar total = 0;
-            for (label i = 0; i < step.size(); ++i)
-            {
-                total += step.rate(i);
-            }
-            const scalar all = 200*now.surface(1).area()
-               *0.02*exp(-0.5*sqr(0.005)/kT(310));
-            const label n = now.surface(1).triangles().size();
-            totals.append(total/all/(correction == "global" ? n : 1));
+public:
 
-            step.advance(1e5);
-            std::set<label> ends;
-            for (const auto& entry : bound)
-            {
-                ends.insert(entry.second.end.triangle);
-            }
-            c.check
-            (
-                "faces " + correction + ": one bond a face",
-                ends.size() == bound.size()
-            );
-        }
-        Info<< "    rates of all faces over that of all ligands, "
-            << correction.c_str() << ": " << totals << endl;
-        if (correction != "none")
+    std::map<std::string, label> columns;
+    std::map<std::string, DynamicList<scalarList>> rows;
+
+    void declare
+    (
+        const fileName& path, const wordList& names, const string&
+    ) override
+    {
+        columns[path] = names.size();
+    }
+
+    void append(const fileName& path, const UList<scalar>& row) override
+    {
+        rows[path].append(scalarList(row));
+    }
+};
+
+
+static void checkRecords(checks& c)
+{
+    testScene scene(0.1, 0.04);
+    scene.addWall();
+    IStringStream text
+    (
+        "bonds { temperature 310; seed 2; molecules { cap { A { density 300; }"
+        " } floor { B { density 200; } } } pairs { " + pairText("(A B)", "")
+      + "} }"
+    );
+    const dictionary dict(text);
+    autoPtr<effect> e(effect::New(*dict.findEntry("bonds"), scene.around()));
+    bonds& b = refCast<bonds>(e());
+    notebook book;
+    b.declare(book);
+    scene.begin(b, 500);
+    loads l(List<List<triFace>>(1));
+    b.apply(l);
+    b.endStep();
+    b.record(book);
+
+    bool fits = book.columns.size() == 2;
+    for (const auto& table : book.rows)
+    {
+        for (const scalarList& row : table.second)
         {
-            c.checkClose(correction + ": sum of rates", totals[0], 1, 1e-9);
-            c.checkClose(correction + ": also finer", totals[2], 1, 1e-9);
+            fits = fits && row.size() == book.columns[table.first];
         }
     }
+    const scalarList& sums = book.rows["bonds/pair"][0];
+    c.check
+    (
+        "records: all that was declared, a row for each event",
+        fits && book.rows["bonds/events"].size() == b.events().size()
+    );
+    c.check
+    (
+        "records: formed less broken is the number of bonds",
+        sums[0] == scalar(b.all().size()) && sums[0] > 5
+     && sums[1] - sums[2] == sums[0]
+    );
+    const vector force(linear(l.forces().whole[0]));
+    c.checkBelow
+    (
+        "records: force is that on the body",
+        mag(vector(sums[4], sums[5], sums[6]) - force)/mag(force), 1e-13
+    );
+
+    dictionary state;
+    b.save(state);
+    autoPtr<bonds> sparse
+    (
+        scene.make
+        (
+            "molecules { cap { A { density 300; } } floor { C { density 1; }"
+            " B { density 200; } } } pairs { " + pairText("(A B)", "") + "}", 1
+        )
+    );
+    c.checkFatal
+    (
+        "saved bonds of other molecules are refused",
+        [&]{ sparse->restore(state); }, "must not change at a restart"
+    );
 }
 
 
@@ -567,9 +455,8 @@ void checkEffect(checks& c)
     checkSearch(c);
     checkForces(c);
     checkMemory(c);
+    checkRecords(c);
     checkRest(c);
-    checkFaces(c);
-    checkNumbers(c);
 }
 
 } // End namespace fsbi

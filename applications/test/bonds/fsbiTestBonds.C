@@ -24,5 +24,6 @@ int main()
     Foam::fsbi::checkKinetics(c);
     Foam::fsbi::checkSpread(c);
     Foam::fsbi::checkEffect(c);
+    Foam::fsbi::checkStatistics(c);
     return c.finish();
 }

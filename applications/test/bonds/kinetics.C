@@ -20,7 +20,8 @@ class twoStates
 public:
 
     const scalar on, off;
-    label seed = 0, step = 0;
+    label seed = 0;
+    List<clock> clocks;
     boolList bound;
     scalarList since;
     scalar now = 0;
@@ -30,15 +31,20 @@ public:
 
     twoStates(const label n, const scalar on, const scalar off)
     :
-        on(on), off(off), bound(n, false), since(n, Zero)
+        on(on), off(off), clocks(n), bound(n, false), since(n, Zero)
     {}
 
     label size() const override { return bound.size(); }
     scalar rate(const label i) const override { return bound[i] ? off : on; }
 
-    counterRandom::stream draws(const label i) const override
+    clock& clockOf(const label i) override { return clocks[i]; }
+
+    counterRandom::stream draws
+    (
+        const label i, const label event
+    ) const override
     {
-        return counterRandom(seed, "pair").at(step, i);
+        return counterRandom(seed, "pair").at(event, i);
     }
 
     void react
@@ -63,7 +69,7 @@ public:
     void run(const scalar duration, const label steps, const label chosen)
     {
         seed = chosen;
-        for (step = 0; step < steps; ++step)
+        for (label step = 0; step < steps; ++step)
         {
             advance(duration/steps);
             now += duration/steps;
@@ -82,24 +88,30 @@ public:
 
     const scalar force, on;
     const counterRandom random;
+    List<clock> clocks;
     boolList bound;
     label number;
-    label steps = 0;
 
     cluster
     (
         const label n, const scalar force, const scalar on, const label seed
     )
     :
-        force(force), on(on), random(seed, "cluster"), bound(n, true),
+        force(force), on(on), random(seed, "cluster"), clocks(n),
+        bound(n, true),
         number(n)
     {}
 
     label size() const override { return bound.size(); }
 
-    counterRandom::stream draws(const label i) const override
+    clock& clockOf(const label i) override { return clocks[i]; }
+
+    counterRandom::stream draws
+    (
+        const label i, const label event
+    ) const override
     {
-        return random.at(steps, i);
+        return random.at(event, i);
     }
 
     scalar rate(const label i) const override
@@ -139,6 +151,39 @@ static bool occupancy
 }
 
 
+// Steps in which something happens are rejected, as by a solver that finds
+// them hard, and tried again at half the length, down to a shortest one
+static void checkRejection(checks& c)
+{
+    twoStates plain(20, 0.7, 0.4);
+    plain.run(10, 1, 3);
+    autoPtr<twoStates> b(new twoStates(20, 0.7, 0.4));
+    b->seed = 3;
+    label rejected = 0;
+    while (b->now < 10 - 1e-9)
+    {
+        for (scalar dt = min(0.5, 10 - b->now); true; dt /= 2)
+        {
+            autoPtr<twoStates> tried(new twoStates(b()));
+            tried->advance(dt);
+            if (dt < 1e-3 || tried->since == b->since)
+            {
+                tried->now += dt;
+                b.reset(tried.release());
+                break;
+            }
+            ++rejected;
+        }
+    }
+    c.check
+    (
+        "rejected steps do not change what happens",
+        rejected > 100 && plain.lives > 10 && plain.bound == b->bound
+     && plain.lives == b->lives && mag(plain.lived - b->lived) < 1e-9
+    );
+}
+
+
 static void checkOccupancy(checks& c)
 {
     scalar value, exact, deviation;
@@ -154,6 +199,15 @@ static void checkOccupancy(checks& c)
             );
         }
     }
+    twoStates once(5000, 0.7, 0.4), often(5000, 0.7, 0.4);
+    once.run(10, 1, 3);
+    often.run(10, 137, 3);
+    c.check
+    (
+        "the same events however an interval is cut into steps",
+        once.bound == often.bound && once.lives == often.lives
+     && mag(once.lived - often.lived) < 1e-9*once.lived
+    );
     c.check
     (
         "a rate wrong by a tenth is noticed",
@@ -197,12 +251,13 @@ static scalar meanLife
     for (label sample = 0; sample < samples; ++sample)
     {
         cluster bonds(n, force, on, sample);
-        for (; bonds.number > 0; ++bonds.steps)
+        label steps = 0;
+        for (; bonds.number > 0; ++steps)
         {
             bonds.advance(dt);
         }
         // gone somewhere in the last step
-        const scalar life = (bonds.steps - 0.5)*dt;
+        const scalar life = (steps - 0.5)*dt;
         sum += life;
         squares += sqr(life);
     }
@@ -243,6 +298,7 @@ static void checkClusters(checks& c)
 void checkKinetics(checks& c)
 {
     checkOccupancy(c);
+    checkRejection(c);
     checkLifetimes(c);
     checkClusters(c);
 }

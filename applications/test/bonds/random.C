@@ -58,7 +58,7 @@ void checkRandom(checks& c)
 {
     checkVectors(c);
 
-    // the counter is (step, site, draw, 0)
+    // the counter is (event, site, draw, 0)
     const counterRandom random(7, "LFA-1");
     counterRandom::stream draws(random.at(3, 5));
     bool same = true;
@@ -75,7 +75,7 @@ void checkRandom(checks& c)
             same = same && draws.uniform() == std::ldexp(scalar(bits), -53);
         }
     }
-    c.check("uniform numbers have the counter (step, site, draw)", same);
+    c.check("uniform numbers have the counter (event, site, draw)", same);
 
     const label n = 100000;
     scalar sum = 0, squares = 0, low = 1, high = 0;
