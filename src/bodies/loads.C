@@ -52,6 +52,14 @@ bool Foam::fsbi::loads::empty() const
             return false;
         }
     }
+    // a load may be zero and yet answer to displacements
+    forAll(stiffness_, b)
+    {
+        if (stiff(b))
+        {
+            return false;
+        }
+    }
     return springs_.empty();
 }
 

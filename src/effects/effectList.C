@@ -32,7 +32,7 @@ void Foam::fsbi::effectList::read(const dictionary& saved)
         IOobject
         (
             "effects", around_.time.caseConstant(), around_.time,
-            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
+            IOobject::MUST_READ, IOobject::NO_WRITE, false
         )
     );
     for (const entry& e : dict)

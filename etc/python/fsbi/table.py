@@ -19,7 +19,7 @@ sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from fsbi import results
 
 VARIANT = re.compile(
-    r"_(mesh\d+|at_[\d.]+a|step_[\d.e+-]+tau|[\d.]+us|halfWidth\d+|\d+across"
+    r"_(mesh\d+|at_[\d.]+a|step_[\d.e+-]+tau|[\d.]+us|halfWidth\d+|\d+across|w[\d.]+|\d+steps"
     r"|StVenantKirchhoff|neoHookean|displacements|tractions)(?=_|$)")
 START, END = "<!-- results -->", "<!-- /results -->"
 

@@ -1,0 +1,25 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+
+Application
+    fsbiTestMagnetics
+
+Description
+    Checks of magnetics: fields against quadrature, closed forms and Maxwell's
+    equations, magnetisations against tables, forces and torques against the
+    derivatives of energies, steps against the fall of the energy.
+
+\*---------------------------------------------------------------------------*/
+
+#include "magneticChecks.H"
+
+int main()
+{
+    Foam::fsbi::checks c;
+    Foam::fsbi::checkFields(c);
+    Foam::fsbi::checkMagnetisations(c);
+    Foam::fsbi::checkEffect(c);
+    Foam::fsbi::checkSteps(c);
+    return c.finish();
+}
