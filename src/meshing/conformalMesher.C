@@ -11,6 +11,47 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "sizeField.H"
 #include "triangleCrossings.H"
 
+#include <cmath>
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Binary digits of a coordinate, over the size of the domain, that the mesh
+//  depends on: 1e-6. Round-off further down would turn edges of the mesh
+static const label digits = 20;
+
+static vector rounded(const vector& x, const scalar unit)
+{
+    return unit*vector
+    (
+        std::round(x.x()/unit), std::round(x.y()/unit), std::round(x.z()/unit)
+    );
+}
+
+
+static List<bodySurface> rounded
+(
+    const UList<bodySurface>& bodies, const scalar unit
+)
+{
+    List<bodySurface> result(bodies.size());
+    forAll(bodies, b)
+    {
+        pointField points(bodies[b].points());
+        for (point& p : points)
+        {
+            p = rounded(p, unit);
+        }
+        result[b] = bodySurface(points, bodies[b].triangles());
+    }
+    return result;
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsbi::conformalMesher::checkInput
@@ -216,16 +257,20 @@ Foam::fsbi::conformalMesher::conformalMesher
 Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
 (
     const wordList& bodyNames,
-    const UList<bodySurface>& bodies,
-    const vector& domainShift
+    const UList<bodySurface>& exact,
+    const vector& exactShift
 ) const
 {
-    const bodySurface walls(walls_.transformed(tensor::I, domainShift));
+    const scalar unit =
+        std::ldexp(1.0, std::ilogb(walls_.bounds().mag()) - digits);
+    const List<bodySurface> bodies(rounded(exact, unit));
+    const vector shift(rounded(exactShift, unit));
+    const bodySurface walls(walls_.transformed(tensor::I, shift));
     checkInput(bodyNames, bodies, walls);
     const serialScope serial;
     sizeField size
     (
-        domain_, domainShift, walls, bodies, cyclics_.translations(), controls_
+        domain_, shift, walls, bodies, cyclics_.translations(), controls_
     );
 
     meshLists mesh
@@ -235,12 +280,18 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
             controls_,
             [&](const meshingAttempt& settings)
             {
-                return meshOnce(bodies, walls, domainShift, size, settings);
+                return meshOnce(bodies, walls, shift, size, settings);
             }
         )
     );
     if (mesh.valid())
     {
+        mesh.points += exactShift - shift;
+        forAll(exact, b)
+        {
+            UIndirectList<point>(mesh.points, mesh.bodyPoints[b]) =
+                exact[b].points();
+        }
         setPatches(bodyNames, mesh);
     }
     return mesh;

@@ -7,6 +7,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "elasticCoupling.H"
 #include "surfaceMap.H"
 #include "PatchTools.H"
+#include "primitiveFacePatch.H"
 #include "syncTools.H"
 #include "mathematicalConstants.H"
 
@@ -42,10 +43,12 @@ Foam::fsbi::bodySurface Foam::fsbi::wettedSurface::surfaceOf
     faceList faces;
     if (Pstream::parRun())
     {
+        // of the points of the patch: those of a polyPatch are all of the mesh
+        const primitiveFacePatch surface(pp.localFaces(), pp.localPoints());
         labelList merged;
         PatchTools::gatherAndMerge
         (
-            1e-9*mesh.bounds().mag(), pp, points, faces, merged
+            1e-9*mesh.bounds().mag(), surface, points, faces, merged
         );
         Pstream::scatter(points);
         Pstream::scatter(faces);

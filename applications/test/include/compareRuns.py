@@ -5,8 +5,8 @@
 
     compareRuns.py case case [--tolerance 1e-10] [--fields TIME] [--only path]
 
-The difference is relative to the largest number of a table; seconds of wall
-clock are left out. Exit code 1, with the worst table, if it is larger.
+The difference is relative to the largest number of a table; times, which would
+be the largest, must be equal, and seconds of wall clock are left out. Exit code 1, with the worst table, if it is larger.
 """
 
 import argparse
@@ -19,7 +19,7 @@ from fsbi.history import History
 
 
 def numbers(table):
-    kept = [i for i, c in enumerate(table.columns) if c != "seconds"]
+    kept = [i for i, c in enumerate(table.columns) if c not in ("time", "seconds")]
     return table.array[:, kept]
 
 
@@ -57,6 +57,8 @@ def main():
         sys.exit(f"difference {worst[0]:.2e} in {worst[1]}")
 
     times = first[first.paths()[0]]["time"]
+    if not np.array_equal(times, second[second.paths()[0]]["time"]):
+        sys.exit("the steps are others")
     if np.any(np.diff(times) <= 0):
         sys.exit("rows are there twice")
 
