@@ -47,6 +47,10 @@ Foam::autoPtr<Foam::fsbi::effect> Foam::fsbi::effect::New
             entriesConstructorTablePtr_
          && entriesConstructorTablePtr_->found(type);
     };
+    for (const fileName& lib : e.dict().getOrDefault("libs", fileNameList()))
+    {
+        dlOpen(lib, true);
+    }
     if (!known() && ours.found(type))
     {
         loadLibraryOf(type);
