@@ -14,7 +14,6 @@ from fsbi.results import Results
 
 SEEDS = range(1, 9)
 INTERVAL, SAMPLES, STOPPED = 30, 75, 0.1    # us; of the mean; of the first speed
-LENGTH = 12000                              # us
 WHAT = ("pair", "set", "site", "formed")
 quick = sys.argv[1] == "true"
 results = Results("S11")
