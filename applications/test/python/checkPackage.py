@@ -11,7 +11,7 @@ import tempfile
 import h5py
 import numpy as np
 
-from fsbi import plots, results
+from fsbi import adhesion, plots, results
 from fsbi.history import History
 
 counts = [0, 0]
@@ -82,11 +82,57 @@ def check_plots():
         check(f"{name} is small", 0 < os.path.getsize(name) < 150_000)
 
 
+def check_aggregate():
+    # steps of all lengths: free until 3000, then held, once jerked loose
+    time = np.concatenate((np.linspace(0, 3000, 31), np.linspace(3001, 9000, 2000)))
+    speed = np.where(time <= 3000, 1.0, 0.0)
+    at, even = adhesion.uniform(time, speed, 30)
+    check("samples at equal intervals", np.allclose(np.diff(at), 30) and at[-1] == 9000)
+    mean = adhesion.moving_mean(even, 75)
+    start = adhesion.aggregate_time(at, mean, 0.05)
+    # 75 samples, of which fewer than 3.75 (and one on the edge) are still free
+    check("an aggregate is found when the mean has forgotten the free motion",
+          abs(start - (3000 + 72 * 30)) <= 30, start)
+    check("none if it comes loose at the end",
+          np.isnan(adhesion.aggregate_time(at, mean + (at > 8900), 0.05)))
+    check("none if the speed is not known",
+          np.isnan(adhesion.aggregate_time(at, mean * np.nan, 0.05)))
+    check("the mean is that of the last samples",
+          np.allclose(adhesion.moving_mean([1.0, 2, 3, 4], 2), [1, 1.5, 2.5, 3.5]))
+
+
+def check_rolling():
+    # moves for 300 at the speed 2, stands for 100, and so on
+    time = np.linspace(0, 4000, 4001)
+    phase = time % 400
+    x = 600 * (time // 400) + 2 * np.minimum(phase, 300)
+    motion = adhesion.rolling(time, x, free=2, window=20)
+    check("mean velocity of a stop-and-go", abs(motion.mean - 1.5) < 1e-9)
+    check("a quarter of the time in pauses, less the window",
+          abs(motion.pause_fraction - 0.25) < 0.05, motion.pause_fraction)
+    check("ten pauses of nearly 100", len(motion.pauses) == 10
+          and all(75 <= b - a <= 105 for a, b in motion.pauses[:-1]))
+    check("none in a steady motion",
+          adhesion.rolling(time, 2 * time, 2, 20).pauses == [])
+
+
+def check_wilson():
+    # Newcombe (1998), Stat. Med. 17, 857, table I: 81 of 263, 15 of 148, 0 of 20
+    for happened, trials, low, high in ((81, 263, 0.2553, 0.3662),
+                                        (15, 148, 0.0624, 0.1605),
+                                        (0, 20, 0.0000, 0.1611)):
+        check(f"Wilson's band of {happened} of {trials}",
+              np.allclose(adhesion.wilson(happened, trials), (low, high), atol=6e-5))
+
+
 with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
     check_results()
     check_history()
     check_plots()
+    check_aggregate()
+    check_rolling()
+    check_wilson()
     os.chdir("/")
 
 print(f"{counts[0]} passed, {counts[1]} failed")
