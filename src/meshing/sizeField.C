@@ -102,7 +102,7 @@ Foam::fsbi::sizeField::sizeField
     addSurface(boundary);
     if (minSize_ <= 0 && bodies.size())
     {
-        minSize_ = 0.4*bodySize;
+        minSize_ = remeshControls::finestPart*bodySize;
     }
 
     if (farSize_ <= 0)

@@ -191,6 +191,24 @@ void Foam::fsbi::fluidMesh::measureReference()
 }
 
 
+Foam::scalar Foam::fsbi::fluidMesh::resolvedGap() const
+{
+    const remeshControls controls(remeshDict_);
+    scalar edge = GREAT;
+    forAll(bodies_, b)
+    {
+        edge = min(edge, bodies_[b].meshedSurface().meanEdge());
+    }
+    return
+        controls.cellsPerGap
+       *(
+            controls.minSize > 0
+          ? controls.minSize
+          : remeshControls::finestPart*edge
+        );
+}
+
+
 Foam::scalar Foam::fsbi::fluidMesh::smallestGap() const
 {
     const vector moved(shift() - referenceShift_);

@@ -357,6 +357,12 @@ Foam::scalar Foam::fsbi::scene::timeToContact
 }
 
 
+Foam::scalar Foam::fsbi::scene::resolvedGap() const
+{
+    return fluid_ ? fluid_->meshing().resolvedGap() : 0;
+}
+
+
 Foam::string Foam::fsbi::scene::warning() const
 {
     string text;

@@ -88,6 +88,7 @@ Foam::fsbi::stepControl::stepControl(Time& time)
     endBefore_(time.endTime().value()),
     retry_(false),
     stop_(false),
+    gapTold_(false),
     began_(-1),
     firstTime_(time.value())
 {
@@ -394,6 +395,21 @@ void Foam::fsbi::stepControl::accept(const scene& scene)
         100*done, readable(left).c_str(), limit_.c_str()
     );
     Info<< line << scene.warning().c_str() << endl;
+    tellOfGap(scene, gap);
+}
+
+
+void Foam::fsbi::stepControl::tellOfGap(const scene& scene, const scalar gap)
+{
+    if (gapTold_ || gap > 0.1*GREAT || gap >= scene.resolvedGap())
+    {
+        return;
+    }
+    Info<< "A gap of " << gap << " is narrower than the " << scene.resolvedGap()
+        << " that have cellsPerGap cells of minSize across: the flow in it is"
+        << " not resolved (system/remeshDict; shape size in constant/bodies)"
+        << endl;
+    gapTold_ = true;
 }
 
 
