@@ -25,7 +25,7 @@ number.legend()
 for i, name in enumerate(("longest", "middle", "shortest")):
     shape.plot(time, axes[name], color=plots.COLOURS[i], label=f"{name} semi-axis")
 shape.set(xlabel="time (ms)", ylabel="µm")
-shape.legend()
+shape.legend(loc="center right", fontsize=9)
 plots.save(figure, "rolling.png")
 
 free = speed[bonds["number"] == 0]
