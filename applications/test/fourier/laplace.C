@@ -112,27 +112,27 @@ static void checkSOR(checks& test)
 // The maximum of a product lies inside the range: against fine sampling
 static void checkInside(checks& test)
 {
-    const scalarList factors({0.55, 1.9});
+    const scalarList factors({0.9, 2.9});
     scalar sampled = 0;
     const label n = 2000000;
     for (label i = 0; i <= n; ++i)
     {
-        const scalar t = pi/3 + (pi - pi/3)*i/n;
+        const scalar t = waveMin + (pi - waveMin)*i/n;
         sampled = max
         (
             sampled,
-            std::abs(SORSymbol::step(t, 0.55)*SORSymbol::step(t, 1.9))
+            std::abs(SORSymbol::step(t, 0.9)*SORSymbol::step(t, 2.9))
         );
     }
-    const scalar largest = SORSymbol::spectralRadius(factors, pi/3);
+    const scalar largest = SORSymbol::spectralRadius(factors, waveMin);
     test.checkClose("two steps of SOR, against two million waves", largest, sampled, 1e-12);
     const scalar end = std::abs
     (
-        SORSymbol::step(pi/3, 0.55)*SORSymbol::step(pi/3, 1.9)
+        SORSymbol::step(waveMin, 0.9)*SORSymbol::step(waveMin, 2.9)
     );
     const scalar other = std::abs
     (
-        SORSymbol::step(pi, 0.55)*SORSymbol::step(pi, 1.9)
+        SORSymbol::step(pi, 0.9)*SORSymbol::step(pi, 2.9)
     );
     test.check("their maximum is inside", largest > 1.0001*max(end, other));
 }
