@@ -9,6 +9,12 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <queue>
 
+//- Accuracy of log|g|^2 that round-off allows
+static const Foam::scalar closeEnough = 2e-13;
+
+//- Parts looked at at most; a few hundred are usual
+static const Foam::label manyParts = 20000;
+
 namespace Foam
 {
 namespace fsbi
@@ -31,7 +37,8 @@ public:
         for (const scalar w : factors_)
         {
             const scalar rise = 4*w*(1 - w);
-            const scalar n = max(sqr(w) + 4*sqr(1 - w) + rise*c, VSMALL);
+            // w^2 + 4 (1 - w)^2 + rise c without the loss of digits at c = 1
+            const scalar n = max(sqr(2 - w) - rise*(1 - c), VSMALL);
             sum += log(n);
             slope += rise/n;
         }
@@ -44,7 +51,7 @@ public:
         scalar sum = 0;
         for (const scalar w : factors_)
         {
-            // (2 - w)^2 + 4 w (1 - c) would be 4 + w^2 - 4 w c
+            // 4 + w^2 - 4 w c, likewise
             sum -= log(max(sqr(2 - w) + 4*w*(1 - c), VSMALL));
         }
         return sum;
@@ -95,21 +102,23 @@ Foam::scalar Foam::fsbi::SORSymbol::spectralRadius
     scalar best = max(log2.value(-1), log2.value(highest));
     std::priority_queue<part> parts;
     parts.push({GREAT, -1, highest});
-    while (!parts.empty() && parts.top().bound > best + 1e-14)
+    for
+    (
+        label i = 0;
+        i < manyParts && !parts.empty()
+     && parts.top().bound > best + closeEnough;
+        ++i
+    )
     {
         const part widest = parts.top();
         parts.pop();
         const scalar middle = (widest.a + widest.b)/2;
         best = max(best, log2.value(middle));
-        if (widest.b - widest.a < 1e-15)
-        {
-            continue;
-        }
         for (const auto& ends : {Pair<scalar>(widest.a, middle),
                                  Pair<scalar>(middle, widest.b)})
         {
             const scalar bound = log2.bound(ends.first(), ends.second());
-            if (bound > best + 1e-14)
+            if (bound > best + closeEnough)
             {
                 parts.push({bound, ends.first(), ends.second()});
             }

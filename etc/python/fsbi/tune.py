@@ -43,8 +43,8 @@ class Surface:
 class Search:
     """points: in the unit cube; values: inf or nan where nothing came of it."""
 
-    near = 12       # points a number that the surface goes through
-    explore = 7     # every so many measurements one far from all others
+    near = 6        # points a number that the surface goes through
+    explore = 12    # every so many measurements one far from all others
     smallest = 0.004
 
     def __init__(self, dimensions, solves, seed=1):
@@ -92,5 +92,5 @@ class Search:
         self.points.append(np.asarray(point, float))
         self.values.append(float(value))
         if local and not explored:
-            self.radius *= 1.3 if better else 0.75
+            self.radius *= 1.6 if better else 0.8
             self.radius = min(self.radius, 0.25)
