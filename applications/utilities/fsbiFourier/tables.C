@@ -21,7 +21,7 @@ namespace fsbi
 static OFstream table(const fileName& name, const char* header)
 {
     OFstream os(name);
-    os.precision(12);
+    os.precision(16);
     os << header << nl;
     return os;
 }
