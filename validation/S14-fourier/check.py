@@ -1,0 +1,155 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hold the analysis against sampled waves and tables, and the solver against
+the analysis; write results.csv and draw figures 3.4-3.8, 3.10 of Gaskin 2018."""
+
+import csv
+import glob
+import os
+import re
+import sys
+
+import numpy as np
+
+import draw
+from fsbi.results import Results
+
+quick = sys.argv[1] == "true"
+results = Results("S14")
+
+# Gain per step of the best m factors, nu 0.3, phi >= pi/64, from a script of
+# its own: waves sampled on a grid, then Chebyshev's formula
+GAINS = {2: 1.99868702, 3: 2.99475725, 4: 3.98692507, 5: 4.97393179, 8: 7.89197182}
+
+
+def schedules(name):
+    with open(f"runs/{name}/fourier/schedules.csv", newline="") as file:
+        return {(row["kind"], int(row["steps"])): row for row in csv.DictReader(file)}
+
+
+def solves(name):
+    """(first, last residual, iterations) of every solve; seconds."""
+    with open(f"runs/{name}/log.laplacianFoam") as log:
+        text = log.read()
+    found = re.findall(r"Initial residual = (\S+), Final residual = (\S+), "
+                       r"No Iterations (\d+)", text)
+    seconds = float(re.findall(r"^ExecutionTime = ([0-9.]+) s", text, re.M)[-1])
+    return np.array(found, float), seconds
+
+
+def step_matrix(omega, phi, nu):
+    """G of one step for many waves, as printed (3.84-3.98), dx = dy = dz."""
+    mu, lam = 1.0, 2 * nu / (1 - 2 * nu)
+    diagonal = 2 * (4 * mu + lam)
+    G = np.zeros((len(phi), 3, 3), complex)
+    for i in range(3):
+        for j in range(3):
+            k = 2 * mu + lam if i == j else mu
+            G[:, i, i] += omega / diagonal * k * 2 * np.cos(phi[:, j])
+            if i != j:
+                plus, minus = phi[:, i] + phi[:, j], phi[:, i] - phi[:, j]
+                G[:, i, j] = omega * (mu + lam) / (4 * diagonal) * (
+                    2 * np.cos(plus) - 2 * np.cos(minus))
+        G[:, i, i] += 1 - omega
+    return G
+
+
+def check_waves():
+    planes = draw.table("elasticity", "planes")
+    phi = np.column_stack([planes[n] for n in ("phix", "phiy", "phiz")])
+    G = step_matrix(1.0, phi, 0.3)
+    # G is symmetric for equal spacings
+    radius = np.abs(np.linalg.eigvalsh(G)).max(axis=1)
+    results.add("radius_20402_waves_abs", np.abs(radius - planes["radius"]).max(), 0, 1e-12)
+    sor = draw.table("SOR", "waves")
+    w, e = sor["omega"], np.exp(1j * sor["phi"])
+    exact = np.abs((w * e + 2 * (1 - w)) / (2 - w / e))
+    results.add("radius_SOR_abs", np.abs(exact - sor["radius"]).max(), 0, 1e-12)
+    jacobi = draw.table("Jacobi", "waves")
+    exact = np.abs(jacobi["omega"] * (np.cos(jacobi["phi"]) - 1) + 1)
+    results.add("radius_Jacobi_abs", np.abs(exact - jacobi["radius"]).max(), 0, 1e-12)
+
+
+def check_schedules():
+    found = schedules("elasticity")
+    low, high = sorted(map(float, found["best", 2]["factors"].split()))
+    results.add("pair_lower", low, 0.585753406, 1e-8)
+    results.add("pair_upper", high, 3.40768557, 1e-8)
+    results.add("radius_pair", float(found["best", 2]["radius"]), 0.997375761, 1e-8)
+    for m, gain in GAINS.items():
+        results.add(f"gain_{m}_steps", float(found["best", m]["gain"]), gain, 1e-8)
+    for name in ("capped", "coarse"):
+        results.add(f"gain_pair_{name}", float(schedules(name)["best", 2]["gain"]),
+                    1.78, 0.005)
+
+
+def modes(n):
+    """All eigenvalues of D^-1 A in a periodic box of n^3 cells but zero."""
+    c = np.cos(2 * np.pi * np.arange(n) / n)
+    kappa = np.unique(((3 - c[:, None, None] - c[:, None] - c) / 3).round(13))
+    return kappa[kappa > 1e-9]
+
+
+def chebyshev(m, low, high):
+    angles = (2 * np.arange(m) + 1) * np.pi / (2 * m)
+    return 1 / ((low + high) / 2 + (high - low) / 2 * np.cos(angles))
+
+
+def check_rates():
+    kappa = modes(16)
+    rates = []
+    for m in sorted(int(name[9:]) for name in glob.glob("runs/rate*")):
+        residuals, seconds = solves(f"rate{m}")
+        first, last, n = residuals[-1]
+        measured = np.log(last / first) / n / m
+        factors = chebyshev(m, kappa[0], 2)
+        p = np.prod(1 - np.outer(factors, kappa), axis=0)
+        predicted = np.log(np.abs(p).max()) / m
+        results.add(f"rate_{m}_steps", measured, predicted, 0.02,
+                    seconds=seconds, cells=16**3)
+        rates.append((m, measured, predicted))
+    serial, parallel = (solves(name)[0][-1, 1] for name in ("rate4", "parallel"))
+    results.add("residual_two_processors", parallel, serial, 1e-4, cells=16**3, procs=2)
+    draw.rates(rates)
+
+
+def check_use():
+    residuals, seconds = solves("multigrid")
+    results.add("multigrid_cycles_abs", residuals[0, 2], 0, 15,
+                seconds=seconds, cells=32**3)
+    with open("runs/tuned/log.fsbiTuneRelaxation") as log:
+        text = log.read()
+    print("    " + text.replace("\n", "\n    ").rstrip())
+    runs, *found = re.search(r"best of (\d+) runs: (\S+) (\S+)", text).groups()
+    kappa = modes(16)
+    exact = sorted(chebyshev(2, kappa[0], 2))
+    for name, value, reference in zip(("lower", "upper"), sorted(map(float, found)), exact):
+        results.add(f"tuned_{name}", value, reference, 0.05, cells=16**3)
+    results.add("tuning_runs_abs", float(runs), 0, 60)
+
+
+def seconds_table():
+    nothing = solves("seconds_nothing")[1]
+    print("    64^3 cells, residual 1e-6: solver, iterations, seconds")
+    rows = []
+    for folder in glob.glob("runs/seconds_*"):
+        name = os.path.basename(folder).removeprefix("seconds_")
+        residuals, seconds = solves(f"seconds_{name}")
+        if name != "nothing":
+            rows.append((seconds - nothing, name, int(residuals[0, 2])))
+    for seconds, name, iterations in sorted(rows):
+        print(f"    {name:16s} {iterations:6d} {seconds:7.2f}")
+    took = {name: seconds for seconds, name, _ in rows}
+    results.at_least("32_factors_over_1", took["factors1"] / took["factors32"], 8,
+                     cells=64**3)
+    draw.seconds(sorted(rows))
+
+
+check_waves()
+check_schedules()
+check_rates()
+check_use()
+if not quick:
+    seconds_table()
+draw.symbols()
+results.write()
