@@ -5,8 +5,10 @@
 
     compareRuns.py case case [--tolerance 1e-10] [--fields TIME] [--only path]
 
-The difference is relative to the largest number of a table; times, which would
-be the largest, must be equal, and seconds of wall clock are left out. Exit code 1, with the worst table, if it is larger.
+The difference is relative to the largest number of a table; of forces, and of
+torques, to the largest of all bodies, as on free bodies they nearly cancel.
+Times, which would be the largest, must be equal, and seconds of wall clock are
+left out. Exit code 1, with the worst table, if it is larger.
 """
 
 import argparse
@@ -23,13 +25,20 @@ def numbers(table):
     return table.array[:, kept]
 
 
-def difference(a, b):
+def kind(path):
+    """What is measured by one scale: a table, or all forces or torques."""
+    for load in ("/force/", "/torque/"):
+        if load in path:
+            return load
+    return path
+
+
+def difference(a, b, scale):
     if a.shape != b.shape:
         sys.exit(f"{a.shape} and {b.shape} rows and columns")
     if a.size == 0:
         sys.exit("no rows")
-    scale = max(np.max(np.abs(a)), 1e-300)
-    worst = np.max(np.abs(a - b)) / scale
+    worst = np.max(np.abs(a - b)) / max(scale, 1e-300)
     return worst if np.isfinite(worst) else np.inf
 
 
@@ -47,10 +56,14 @@ def main():
     ]
     if first.paths() != second.paths():
         sys.exit("the histories have other tables")
+    compared = [p for p in first.paths() if p.startswith(options.only)]
+    scales = {}
+    for p in compared:
+        size = np.max(np.abs(numbers(first[p])), initial=0)
+        scales[kind(p)] = max(size, scales.get(kind(p), 0))
     worst = max(
-        (difference(numbers(first[p]), numbers(second[p])), p)
-        for p in first.paths()
-        if p.startswith(options.only)
+        (difference(numbers(first[p]), numbers(second[p]), scales[kind(p)]), p)
+        for p in compared
     )
     print(f"largest difference {worst[0]:.2e} in {worst[1]}")
     if worst[0] > options.tolerance:
