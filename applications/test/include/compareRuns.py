@@ -54,9 +54,12 @@ def main():
         History(os.path.join(case, "postProcessing", "history.h5"))
         for case in options.cases
     ]
-    if first.paths() != second.paths():
+    compared, others = [
+        [p for p in history.paths() if p.startswith(options.only)]
+        for history in (first, second)
+    ]
+    if compared != others:
         sys.exit("the histories have other tables")
-    compared = [p for p in first.paths() if p.startswith(options.only)]
     scales = {}
     for p in compared:
         size = np.max(np.abs(numbers(first[p])), initial=0)
