@@ -281,7 +281,8 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
             [&](const meshingAttempt& settings)
             {
                 return meshOnce(bodies, walls, shift, size, settings);
-            }
+            },
+            remeshControls::bearable
         )
     );
     if (mesh.valid())

@@ -9,7 +9,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Foam::fsbi::meshLists Foam::fsbi::firstGoodMesh
 (
     const remeshControls& controls,
-    const std::function<meshLists(const meshingAttempt&)>& make
+    const std::function<meshLists(const meshingAttempt&)>& make,
+    const scalar bearable
 )
 {
     // the repeatable algorithm goes first where it is asked for
@@ -25,21 +26,40 @@ Foam::fsbi::meshLists Foam::fsbi::firstGoodMesh
     };
     remeshControls limits(controls);
     limits.maxNonOrthogonality -= 5;
+    remeshControls loose(controls);
+    loose.maxNonOrthogonality = bearable;
 
-    meshLists mesh;
+    meshLists mesh, best;
+    best.failure = "none";
+    scalar least = GREAT;
     string failures;
     for (const meshingAttempt& settings : attempts)
     {
         mesh = make(settings);
         if (mesh.valid())
         {
-            mesh.failure = meshQuality(mesh).complaint(limits);
-        }
-        if (mesh.valid())
-        {
-            return mesh;
+            const meshQuality quality(mesh);
+            mesh.failure = quality.complaint(limits);
+            if (mesh.valid())
+            {
+                return mesh;
+            }
+            if
+            (
+                quality.complaint(loose).empty()
+             && quality.maxNonOrthogonality < least
+            )
+            {
+                least = quality.maxNonOrthogonality;
+                best = mesh;
+                best.failure.clear();
+            }
         }
         failures += (failures.empty() ? "" : "; then ") + mesh.failure;
+    }
+    if (best.valid())
+    {
+        return best;
     }
     mesh = meshLists();
     mesh.failure = failures;

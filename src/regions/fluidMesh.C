@@ -8,6 +8,19 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "Time.H"
 #include "pointIOField.H"
 
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Degrees of non-orthogonality that a mesh may lose before it is made anew,
+//  where a gap allows none that is good
+static const scalar wear = 3;
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
 Foam::fsbi::fluidMesh::fluidMesh
 (
     const Time& time,
@@ -183,6 +196,7 @@ void Foam::fsbi::fluidMesh::setReference()
 void Foam::fsbi::fluidMesh::measureReference()
 {
     referenceVolumes_ = mesh().cellVolumes();
+    referenceNonOrthogonality_ = meshQuality(mesh()).maxNonOrthogonality;
     const bodySurface walls
     (
         rigidBlendMotion::domainBoundary(mesh(), namesOf(bodies_))
@@ -297,7 +311,13 @@ Foam::fsbi::fluidMesh::outcome Foam::fsbi::fluidMesh::follow
     auto timer = timings_.measure("meshing");
     move();
 
-    const remeshControls controls(remeshDict_);
+    // a mesh that could not be made better is not worn out from the start
+    remeshControls controls(remeshDict_);
+    controls.maxNonOrthogonality = max
+    (
+        controls.maxNonOrthogonality,
+        min(referenceNonOrthogonality_ + wear, remeshControls::bearable)
+    );
     const string worn
     (
         meshQuality(mesh(), referenceVolumes_).complaint
@@ -315,6 +335,16 @@ Foam::fsbi::fluidMesh::outcome Foam::fsbi::fluidMesh::follow
         return outcome::failed;
     }
     setReference();
+    if
+    (
+        referenceNonOrthogonality_
+      > remeshControls(remeshDict_).maxNonOrthogonality
+    )
+    {
+        Info<< "The new mesh has a non-orthogonality of "
+            << referenceNonOrthogonality_ << " degrees, the best for this gap"
+            << endl;
+    }
     return outcome::remeshed;
 }
 
