@@ -5,6 +5,19 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matrixFreeKrylov.H"
 
+namespace Foam
+{
+namespace fsbi
+{
+
+//- A guess may be worse than nothing by this factor: that of a fluid that has
+//  come to rest, for one. PETSc would give up at 1e5
+static const scalar farGuess = 1e30;
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
 Foam::fsbi::matrixFreeKrylov::matrixFreeKrylov
 (
     const label size,
@@ -131,7 +144,7 @@ Foam::fsbi::matrixFreeKrylov::outcome Foam::fsbi::matrixFreeKrylov::solve
     (
         KSPSetTolerances
         (
-            krylov_, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, maxIterations
+            krylov_, tolerance, PETSC_DEFAULT, farGuess, maxIterations
         )
     );
     petscCheck(KSPSolve(krylov_, rhs_, unknown_));

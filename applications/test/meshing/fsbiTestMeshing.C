@@ -287,8 +287,13 @@ static void checkErrors(checks& c)
     // failure without a fatal error: no mesh is that good
     boxScene s;
     s.add(sphere, good);
-    const meshLists none(s.generate("maxNonOrthogonality 10;"));
+    const meshLists none(s.generate("maxSkewness 1e-3;"));
     c.check("an impossible limit returns the failure", !none.valid());
+    c.check
+    (
+        "of meshes that are too skew to their faces the best is taken",
+        s.generate("maxNonOrthogonality 10;").valid()
+    );
 }
 
 
