@@ -124,7 +124,7 @@ Foam::fsbi::adhesion::siteSet& Foam::fsbi::adhesion::set
     {
         forAll(body.triangles(), triangle)
         {
-            s.sites.append(materialPoint{triangle, 1.0/3, 1.0/3});
+            s.sites.append(materialPoint::centroid(triangle));
         }
     }
     else

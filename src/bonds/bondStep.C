@@ -131,7 +131,7 @@ bool Foam::fsbi::bondStep::form
     b.ligands = way.ligands;
     if (adhesion_.sets()[s.set].faces)
     {
-        b.end = materialPoint{way.triangle, 1.0/3, 1.0/3};
+        b.end = materialPoint::centroid(way.triangle);
         return !taken_.count({way.ligands, way.triangle});
     }
 

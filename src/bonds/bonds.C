@@ -73,7 +73,7 @@ void Foam::fsbi::bonds::apply(loads& l) const
         return loads::site
         {
             body, at.triangle, x - around_.bodies[body].placed().centre,
-            vector(1 - at.b - at.c, at.b, at.c)
+            at.weights()
         };
     };
     for (const auto& entry : bonds_)

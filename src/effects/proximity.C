@@ -4,78 +4,39 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "proximity.H"
-#include "neighbourhood.H"
-
-namespace Foam
-{
-namespace fsbi
-{
-
-//- Mean over the corners of a triangle
-static vector atTriangle
-(
-    const bodySurface& surface, const vectorField& v, const label t
-)
-{
-    const triFace& f = surface.triangles()[t];
-    return (v[f[0]] + v[f[1]] + v[f[2]])/3;
-}
-
-} // End namespace fsbi
-} // End namespace Foam
-
+#include "neighbours.H"
 
 Foam::scalar Foam::fsbi::timeToContact
 (
     const surroundings& around, const scalar reach, string& names
 )
 {
-    const neighbourhood near(around);
-    scalar shortest = GREAT;
-    const auto approach = [&]
-    (
-        const neighbourhood::neighbour& n, const vector& v,
-        const word& a, const word& b
-    )
+    const surfacesNow now(around);
+    const auto velocity = [&](const label surface, const label triangle)
     {
-        const scalar speed = -(v & n.normal);
-        if (speed > 0 && n.gap < shortest*speed)
-        {
-            shortest = max(n.gap, scalar(0))/speed;
-            names = "'" + a + "' and '" + b + "'";
-        }
+        return now.velocity(surface, materialPoint::centroid(triangle));
     };
+    scalar shortest = GREAT;
     forAll(around.bodies, a)
     {
-        const immersedBody& body = around.bodies[a];
-        const vectorField va(body.pointVelocity());
-        forAll(around.bodies, b)
+        for (label b = 0; b < now.size(); ++b)
         {
             if (a == b)
             {
                 continue;
             }
-            const vectorField vb(around.bodies[b].pointVelocity());
-            for (const auto& n : near.between(a, b, reach))
+            for (const neighbour& n : neighbours(now, a, b, reach))
             {
                 const vector v
                 (
-                    atTriangle(near.surface(a), va, n.triangle)
-                  - atTriangle(near.surface(b), vb, n.otherTriangle)
+                    velocity(a, n.triangle) - velocity(b, n.otherTriangle)
                 );
-                approach(n, v, body.name(), around.bodies[b].name());
-            }
-        }
-        forAll(around.walls, w)
-        {
-            for (const auto& n : near.toWall(a, w, reach))
-            {
-                const vector v
-                (
-                    atTriangle(near.surface(a), va, n.triangle)
-                  - around.walls[w].velocity
-                );
-                approach(n, v, body.name(), around.walls[w].name);
+                const scalar speed = -(v & n.normal);
+                if (speed > 0 && n.gap < shortest*speed)
+                {
+                    shortest = max(n.gap, scalar(0))/speed;
+                    names = "'" + now.name(a) + "' and '" + now.name(b) + "'";
+                }
             }
         }
     }

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "couplingScheme.H"
 #include "elasticCoupling.H"
+#include "loadCoupling.H"
 
 namespace Foam
 {
@@ -98,19 +99,37 @@ void Foam::fsbi::couplingScheme::applyEffects()
 }
 
 
-Foam::vectorField Foam::fsbi::couplingScheme::effectForce
+Foam::List<Foam::vectorField> Foam::fsbi::couplingScheme::effectForces
 (
-    const label solidi
+    const UList<bodyRows>& rows
 ) const
 {
-    const elasticRows& body = *elastic_[solidi];
-    vectorField force(body.elastic->kinds().size(), Zero);
-    if (effects_)
+    List<vectorField> forces(solids_.size());
+    forAll(forces, e)
     {
-        const loads::onBodies all(effects_->last().forces());
-        body.solid.addToFaces(all.triangles[firstElastic() + solidi], force);
+        forces[e] = vectorField(elastic_[e]->elastic->kinds().size(), Zero);
     }
-    return force;
+    if (!effects_)
+    {
+        return forces;
+    }
+    List<sixVector> velocities(rows.size());
+    forAll(rows, b)
+    {
+        velocities[b] = rows[b].velocity;
+    }
+    const loads::onBodies all
+    (
+        loadCoupling::forces(effects_->last(), rows, velocities)
+    );
+    forAll(forces, e)
+    {
+        elastic_[e]->solid.addToFaces
+        (
+            all.triangles[firstElastic() + e], forces[e]
+        );
+    }
+    return forces;
 }
 
 
@@ -177,10 +196,11 @@ bool Foam::fsbi::couplingScheme::finish
 )
 {
     fluid_.finish(rows, elastic_, loads);
+    const List<vectorField> others(effectForces(rows));
     bool good = true;
     forAll(solids_, e)
     {
-        good = good && solids_[e].finish(force(e), effectForce(e), failure_);
+        good = good && solids_[e].finish(force(e), others[e], failure_);
     }
     return good;
 }

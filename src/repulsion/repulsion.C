@@ -57,15 +57,12 @@ Foam::fsbi::repulsion::repulsion
 
 void Foam::fsbi::repulsion::findAll()
 {
+    const surfacesNow now(around_);
     forAll(around_.bodies, a)
     {
-        for (label b = a + 1; b < around_.bodies.size(); ++b)
+        for (label b = a + 1; b < now.size(); ++b)
         {
-            pairs_.append(pair{a, b, -1});
-        }
-        forAll(around_.walls, w)
-        {
-            pairs_.append(pair{a, -1, w});
+            pairs_.append(pair({a, b}));
         }
     }
 }
@@ -73,64 +70,56 @@ void Foam::fsbi::repulsion::findAll()
 
 void Foam::fsbi::repulsion::readPairs(const dictionary& dict)
 {
+    const wordList valid(around_.names());
     for (const wordList& names : dict.get<List<wordList>>("between"))
     {
-        pair p{-1, -1, -1};
+        labelList numbers;
         for (const word& name : names)
         {
-            const label b = around_.findBody(name);
-            const label w = around_.findWall(name);
-            if (b < 0 && w < 0)
+            numbers.append(valid.find(name));
+            if (numbers.last() < 0)
             {
                 FatalIOErrorInFunction(dict)
                     << "There is no body or plane wall '" << name
-                    << "' for 'between'; valid are "
-                    << flatOutput(around_.names()) << exit(FatalIOError);
+                    << "' for 'between'; valid are " << flatOutput(valid)
+                    << exit(FatalIOError);
             }
-            label& place = b < 0 ? p.wall : p.a < 0 ? p.a : p.b;
-            place = b < 0 ? w : b;
         }
-        if (names.size() != 2 || p.a < 0 || p.a == p.b)
+        sort(numbers);      // bodies before walls
+        if
+        (
+            numbers.size() != 2 || numbers[0] == numbers[1]
+         || numbers[0] >= around_.bodies.size()
+        )
         {
             FatalIOErrorInFunction(dict)
                 << flatOutput(names) << " in 'between' is no pair of two"
                 << " bodies, or of a body and a wall" << exit(FatalIOError);
         }
-        pairs_.append(p);
+        pairs_.append(pair({numbers[0], numbers[1]}));
     }
-}
-
-
-Foam::DynamicList<Foam::fsbi::neighbourhood::neighbour>
-Foam::fsbi::repulsion::near
-(
-    const neighbourhood& n, const pair& p, const bool fromFirst
-) const
-{
-    const scalar reach = minimumGap_ + range_;
-    return
-        p.b < 0 ? n.toWall(p.a, p.wall, reach)
-      : fromFirst ? n.between(p.a, p.b, reach)
-      : n.between(p.b, p.a, reach);
 }
 
 
 template<class Visitor>
 void Foam::fsbi::repulsion::visit(const Visitor& visitor) const
 {
-    const neighbourhood all(around_);
+    const surfacesNow now(around_);
+    const scalar reach = minimumGap_ + range_;
+    const auto from = [&](const label body, const label other, const scalar part)
+    {
+        for (const neighbour& n : neighbours(now, body, other, reach))
+        {
+            visitor(now, n, body, other, part);
+        }
+    };
     for (const pair& p : pairs_)
     {
-        for (const bool fromFirst : {true, false})
+        const bool wall = now.isWall(p[1]);
+        from(p[0], p[1], wall ? 1 : 0.5);
+        if (!wall)
         {
-            if (!fromFirst && p.b < 0)
-            {
-                continue;
-            }
-            for (const auto& n : near(all, p, fromFirst))
-            {
-                visitor(n, p, fromFirst);
-            }
+            from(p[1], p[0], 0.5);
         }
     }
 }
@@ -138,31 +127,31 @@ void Foam::fsbi::repulsion::visit(const Visitor& visitor) const
 
 void Foam::fsbi::repulsion::push
 (
-    const neighbourhood::neighbour& n,
-    const pair& p,
-    const bool fromFirst,
+    const surfacesNow& now,
+    const neighbour& n,
+    const label body,
+    const label other,
+    const scalar part,
     loads& l
 ) const
 {
     const scalar d = max(n.gap - minimumGap_, nearest*range_);
-    const scalar k = part(p)*strength_*mag(n.area);
-    const label self = fromFirst ? p.a : p.b;
-    const label other = fromFirst ? p.b : p.a;
-    const auto site = [&](const label body, const label tri, const point& x)
+    const scalar k = part*strength_*now.area(body, n.triangle);
+    const auto site = [&](const label on, const label tri, const point& x)
     {
-        return
-            body < 0
-          ? loads::site()
-          : loads::site
-            {
-                body, tri, x - around_.bodies[body].placed().centre
-            };
+        const bodySurface& s = now.surface(on);
+        return loads::site
+        {
+            on, tri, x - around_.bodies[on].placed().centre,
+            materialPoint::nearest(tri, x, s.points(), s.triangles()).weights()
+        };
     };
     l.add
     (
         {
-            site(self, n.triangle, n.centre),
-            site(p.b < 0 ? loads::fixed : other, n.otherTriangle, n.nearest),
+            site(body, n.triangle, n.centre),
+            now.isWall(other)
+          ? loads::site() : site(other, n.otherTriangle, n.nearest),
             k*(1/pow3(d) - 1/pow3(range_))*n.normal,
             (3*k/pow4(d))*tensor(sqr(n.normal))
         }
@@ -178,9 +167,13 @@ void Foam::fsbi::repulsion::apply(loads& l) const
     }
     visit
     (
-        [&](const neighbourhood::neighbour& n, const pair& p, const bool first)
+        [&]
+        (
+            const surfacesNow& now, const neighbour& n,
+            const label a, const label b, const scalar part
+        )
         {
-            push(n, p, first, l);
+            push(now, n, a, b, part, l);
         }
     );
 }
@@ -188,21 +181,20 @@ void Foam::fsbi::repulsion::apply(loads& l) const
 
 Foam::scalar Foam::fsbi::repulsion::smallestGap(string& names) const
 {
+    const wordList all(around_.names());
     scalar smallest = GREAT;
     visit
     (
-        [&](const neighbourhood::neighbour& n, const pair& p, bool)
+        [&]
+        (
+            const surfacesNow&, const neighbour& n,
+            const label a, const label b, scalar
+        )
         {
             if (n.gap < smallest)
             {
                 smallest = n.gap;
-                names =
-                    "'" + around_.bodies[p.a].name() + "' and '"
-                  + (
-                        p.b < 0 ? around_.walls[p.wall].name
-                      : around_.bodies[p.b].name()
-                    )
-                  + "'";
+                names = "'" + all[a] + "' and '" + all[b] + "'";
             }
         }
     );

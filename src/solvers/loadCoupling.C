@@ -14,7 +14,6 @@ Foam::fsbi::loadCoupling::loadCoupling
 :
     loads_(l),
     bodies_(bodies),
-    given_(l.forces()),
     resistance_(resistance)
 {
     factorise();
@@ -57,23 +56,21 @@ void Foam::fsbi::loadCoupling::factorise()
 
 Foam::fsbi::loads::onBodies Foam::fsbi::loadCoupling::forces
 (
+    const loads& l,
+    const UList<bodyRows>& bodies,
     const UList<sixVector>& v
-) const
+)
 {
-    loads::onBodies sum(given_);
-    if (pivots_.empty())
-    {
-        return sum;
-    }
-    loads::ofBodies u(loads_.atRest());
-    forAll(bodies_, b)
+    loads::ofBodies u(l.atRest());
+    forAll(bodies, b)
     {
         forAll(v[b], k)
         {
-            u.whole[b][k] = bodies_[b].gain*v[b][k] - bodies_[b].offset[k];
+            u.whole[b][k] = bodies[b].gain*v[b][k] - bodies[b].offset[k];
         }
     }
-    const loads::onBodies change(loads_.changes(u));
+    loads::onBodies sum(l.forces());
+    const loads::onBodies change(l.changes(u));
     forAll(sum.whole, b)
     {
         forAll(sum.whole[b], k)

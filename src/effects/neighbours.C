@@ -1,0 +1,90 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "neighbours.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Near a wall; a point far behind it is near, too
+static bool nearWall
+(
+    const planeWall& wall, const scalar reach, neighbour& n
+)
+{
+    n.gap = wall.distance(n.centre);
+    n.normal = wall.normal;
+    n.nearest = n.centre - n.gap*n.normal;
+    n.otherTriangle = -1;
+    return n.gap < reach;
+}
+
+
+static bool nearBody
+(
+    const surfacesNow& now, const label other, const scalar reach, neighbour& n
+)
+{
+    surfacesNow::contact c;
+    if (!now.find(other, n.centre, reach, c))
+    {
+        return false;
+    }
+    // which side: by the nearest triangle's own normal
+    const bodySurface& s = now.surface(other);
+    const vector outwards
+    (
+        s.triangles()[c.triangle].tri(s.points()).areaNormal()
+    );
+    const scalar side = (c.normal & outwards) < 0 ? -1 : 1;
+    n.gap = side*c.gap;
+    n.normal = side*c.normal;
+    n.nearest = c.nearest;
+    n.otherTriangle = c.triangle;
+    return true;
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::DynamicList<Foam::fsbi::neighbour> Foam::fsbi::neighbours
+(
+    const surfacesNow& now,
+    const label body,
+    const label other,
+    const scalar reach
+)
+{
+    DynamicList<neighbour> found;
+    boundBox box(boundBox::greatBox);
+    if (!now.isWall(other))
+    {
+        box = now.surface(other).bounds();
+        box.min() -= reach*vector::one;
+        box.max() += reach*vector::one;
+        if (!box.overlaps(now.surface(body).bounds()))
+        {
+            return found;
+        }
+    }
+    forAll(now.surface(body).triangles(), t)
+    {
+        neighbour n;
+        n.triangle = t;
+        n.centre = now.centroid(body, t);
+        const bool near =
+            now.isWall(other)
+          ? nearWall(now.wall(other), reach, n)
+          : box.contains(n.centre) && nearBody(now, other, reach, n);
+        if (near)
+        {
+            found.append(n);
+        }
+    }
+    return found;
+}

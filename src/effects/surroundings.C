@@ -1,0 +1,67 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "surroundings.H"
+
+Foam::label Foam::fsbi::surroundings::findBody(const word& name) const
+{
+    forAll(bodies, b)
+    {
+        if (bodies[b].name() == name)
+        {
+            return b;
+        }
+    }
+    return -1;
+}
+
+
+Foam::label Foam::fsbi::surroundings::findWall(const word& name) const
+{
+    forAll(walls, w)
+    {
+        if (walls[w].name == name)
+        {
+            return w;
+        }
+    }
+    return -1;
+}
+
+
+Foam::wordList Foam::fsbi::surroundings::names() const
+{
+    wordList all;
+    forAll(bodies, b)
+    {
+        all.append(bodies[b].name());
+    }
+    for (const planeWall& wall : walls)
+    {
+        all.append(wall.name);
+    }
+    return all;
+}
+
+
+Foam::label Foam::fsbi::surroundings::bodyIndex
+(
+    const word& name, const dictionary& where
+) const
+{
+    const label b = findBody(name);
+    if (b < 0)
+    {
+        wordList valid;
+        forAll(bodies, i)
+        {
+            valid.append(bodies[i].name());
+        }
+        FatalIOErrorInFunction(where)
+            << "There is no body '" << name << "'; the bodies are "
+            << flatOutput(valid) << exit(FatalIOError);
+    }
+    return b;
+}

@@ -1,0 +1,250 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "coupledSystem.H"
+#include "bodyCoupling.H"
+#include "elasticCoupling.H"
+#include "mathematicalConstants.H"
+#include "Pstream.H"
+
+void Foam::fsbi::coupledSystem::fluidResidual
+(
+    const scalar* x,
+    scalar* r,
+    const bool homogeneous
+) const
+{
+    stokes_.residual(x, values_, r, traction_);
+    if (!homogeneous)
+    {
+        forAll(*force_, i)
+        {
+            for (label k = 0; k < 3; ++k)
+            {
+                r[4*i + k] -= (*force_)[i][k];
+            }
+        }
+    }
+}
+
+
+void Foam::fsbi::coupledSystem::elasticResiduals
+(
+    const scalar* x,
+    scalar* r,
+    const bool homogeneous
+) const
+{
+    for (const elasticRows* body : elastic_)
+    {
+        elasticOperator& elastic = *body->elastic;
+        homogeneous
+          ? elastic.tangent(x, r)
+          : elastic.residual(x, *body->given, r);
+        forAll(body->mass, i)
+        {
+            for (label k = 0; k < 3; ++k)
+            {
+                r[3*i + k] +=
+                    body->mass[i]*x[3*i + k]
+                  - (homogeneous ? 0 : body->force[i][k]);
+            }
+        }
+        setSurfaceVelocity(*body, homogeneous, values_);
+        x += elastic.size();
+        r += elastic.size();
+    }
+}
+
+
+void Foam::fsbi::coupledSystem::tetherResiduals
+(
+    const scalar* x,
+    scalar* r,
+    const bool homogeneous
+) const
+{
+    if (!nTethers())
+    {
+        return;
+    }
+    const vectorField tethers(readTethers(x));
+    vectorField stretch(elastic_.size(), Zero);
+    label start = 4*mesh_.nCells();
+    forAll(elastic_, e)
+    {
+        const elasticRows& body = *elastic_[e];
+        if (body.tethered())
+        {
+            const vector* u = reinterpret_cast<const vector*>(x + start);
+            vector* row = reinterpret_cast<vector*>(r + start);
+            forAll(body.share, i)
+            {
+                row[i] -= body.share[i]*tethers[e];
+                stretch[e] += body.share[i]*u[i];
+            }
+        }
+        start += body.elastic->size();
+    }
+    surfaceSide::sum(stretch);
+    forAll(stretch, e)
+    {
+        stretch[e] =
+            elastic_[e]->rate
+           *(stretch[e] - (homogeneous ? vector::zero : elastic_[e]->place));
+    }
+    writeTethers(stretch, r);
+}
+
+
+Foam::fsbi::loads::onBodies Foam::fsbi::coupledSystem::effectForces
+(
+    const UList<sixVector>& v, const bool homogeneous
+) const
+{
+    if (!coupling_)
+    {
+        return loads::onBodies();
+    }
+    if (!homogeneous)
+    {
+        return coupling_->forces(v);
+    }
+    List<vectorField> points(elastic_.size());
+    for (label e = 0; coupling_->onElastic() && e < elastic_.size(); ++e)
+    {
+        points[e] = surfaceDisplacement(*elastic_[e], true).points;
+    }
+    return coupling_->changes(v, points);
+}
+
+
+void Foam::fsbi::coupledSystem::bodyResiduals
+(
+    const UList<sixVector>& v,
+    const loads::onBodies& load,
+    scalar* r,
+    const bool homogeneous
+) const
+{
+    List<sixVector> pull(bodyLoads(mesh_, *bodies_, traction_));
+    for (label b = 0; coupling_ && b < pull.size(); ++b)
+    {
+        forAll(pull[b], k)
+        {
+            pull[b][k] += load.whole[b][k];
+        }
+    }
+    List<sixVector> defects(bodyDefects(*bodies_, v, pull, homogeneous));
+    forAll(defects, b)
+    {
+        forAll(defects[b], k)
+        {
+            defects[b][k] *= -scales_.bodies()[b][k];
+        }
+    }
+    writeBodies(defects, r);
+}
+
+
+void Foam::fsbi::coupledSystem::residual
+(
+    const scalar* x,
+    scalar* r,
+    const bool homogeneous
+) const
+{
+    if (homogeneous)
+    {
+        values_.faces = Zero;
+        values_.vertices = Zero;
+    }
+    else
+    {
+        values_.faces = given_->faces;
+        values_.vertices = given_->vertices;
+    }
+    const label n = 4*mesh_.nCells();
+    const List<sixVector> v(readBodies(x));
+    setBodyVelocities(stokes_, *bodies_, v, values_);
+    elasticResiduals(x + n, r + n, homogeneous);
+    fluidResidual(x, r, homogeneous);
+    const loads::onBodies load(effectForces(v, homogeneous));
+    scalar* row = r + n;
+    forAll(elastic_, e)
+    {
+        const elasticRows& body = *elastic_[e];
+        vectorField force(surfaceForce(body, traction_));
+        if (coupling_)
+        {
+            body.solid.addToFaces(load.triangles[bodies_->size() + e], force);
+        }
+        body.elastic->addLoad(force, row);
+        row += body.elastic->size();
+    }
+    tetherResiduals(x, r, homogeneous);
+    scales_.apply(r);
+    bodyResiduals(v, load, r, homogeneous);
+}
+
+
+void Foam::fsbi::coupledSystem::precondition
+(
+    const scalar* r,
+    scalar* z
+) const
+{
+    // bodies' rows are scaled by the inverse of a crude diagonal: only torques,
+    // which stand as velocities at the surface, change
+    scales_.undo(r, state_.begin());
+    List<sixVector> v(readBodies(r));
+    forAll(v, b)
+    {
+        for (label k = 3; k < 6; ++k)
+        {
+            v[b][k] /= (*bodies_)[b].radius;
+        }
+    }
+    if (coupling_)
+    {
+        coupling_->precondition(v);
+    }
+    values_.faces = Zero;
+    values_.vertices = Zero;
+    setBodyVelocities(stokes_, *bodies_, v, values_);
+    forAll(v, b)
+    {
+        for (const label i : (*bodies_)[b].faces)
+        {
+            const label facei = mesh_.nInternalFaces() + i;
+            const scalar k = stokes_.wallCoeff(i);
+            const vector& u = values_.faces[i];
+            scalar* row = state_.begin() + 4*mesh_.faceOwner()[facei];
+            row[0] += k*u.x();
+            row[1] += k*u.y();
+            row[2] += k*u.z();
+            row[3] -= u & mesh_.faceAreas()[facei];
+        }
+    }
+
+    // a tether's residual is a velocity, which the drag of a sphere resists
+    const scalar pi = constant::mathematical::pi;
+    vectorField tethers(readTethers(r));
+    label start = 4*mesh_.nCells();
+    forAll(elastic_, e)
+    {
+        tethers[e] *= 6*pi*stokes_.mu()*elastic_[e]->radius;
+        vector* row = reinterpret_cast<vector*>(state_.begin() + start);
+        forAll(elastic_[e]->share, i)
+        {
+            row[i] += elastic_[e]->share[i]*tethers[e];
+        }
+        start += elastic_[e]->elastic->size();
+    }
+
+    preconditioner_->apply(state_.cdata(), z);
+    writeBodies(v, z);
+    writeTethers(tethers, z);
+}
