@@ -7,16 +7,31 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "scalar.H"
 #include "wordList.H"
 #include "FlatOutput.H"
+#include "HashPtrTable.H"
 #include "error.H"
+
+std::function<void(const Foam::string&)>
+    Foam::fsbi::checkedDictionary::note_;
 
 const Foam::dictionary& Foam::fsbi::checkedDictionary::subDictOrEmpty
 (
     const word& key
 ) const
 {
+    // one for each name, which the notes of defaults tell
+    static HashPtrTable<dictionary, string> absent;
+
     known_.insert(key);
-    const dictionary* sub = dict_.findDict(key);
-    return sub ? *sub : dictionary::null;
+    if (const dictionary* sub = dict_.findDict(key))
+    {
+        return *sub;
+    }
+    const fileName name(dict_.name() + '.' + key);
+    if (!absent.found(name))
+    {
+        absent.insert(name, autoPtr<dictionary>::New(name));
+    }
+    return *absent[name];
 }
 
 
@@ -55,7 +70,7 @@ Foam::scalar Foam::fsbi::checkedDictionary::positive
     const word& key, const scalar deflt
 ) const
 {
-    return found(key) ? positive(key) : deflt;
+    return found(key) ? positive(key) : noted(key, deflt);
 }
 
 
@@ -76,7 +91,7 @@ Foam::vector Foam::fsbi::checkedDictionary::direction
     const word& key, const vector& deflt
 ) const
 {
-    return found(key) ? direction(key) : deflt;
+    return found(key) ? direction(key) : noted(key, deflt);
 }
 
 
@@ -102,7 +117,7 @@ Foam::word Foam::fsbi::checkedDictionary::choice
     const word& key, const wordList& valid, const word& deflt
 ) const
 {
-    return found(key) ? choice(key, valid) : deflt;
+    return found(key) ? choice(key, valid) : noted(key, deflt);
 }
 
 

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "loads.H"
+#include <cmath>
 
 Foam::fsbi::loads::loads(const List<List<triFace>>& triangles)
 :
@@ -40,6 +41,24 @@ void Foam::fsbi::loads::add
             stiffness_[bodyi][k][m] += stiffness[k][m];
         }
     }
+}
+
+
+bool Foam::fsbi::loads::finite() const
+{
+    scalar sum = 0;
+    for (const sixVector& f : force_)
+    {
+        for (const scalar component : f)
+        {
+            sum += component;
+        }
+    }
+    for (const spring& s : springs_)
+    {
+        sum += cmptSum(s.force);
+    }
+    return std::isfinite(sum);
 }
 
 

@@ -47,17 +47,24 @@ void Foam::fsbi::effectList::read(const dictionary& saved)
                 << "Entry '" << e.keyword() << "' is no dictionary: an effect"
                 << " is name { ... }" << exit(FatalIOError);
         }
+        auto timer = timings_.weigh(e.keyword());
         effects_.append(effect::New(e, around_));
     }
     restore(saved);
     if (effects_.size())
     {
-        Info<< "Effects:";
-        for (const effect& e : effects_)
-        {
-            Info<< ' ' << e.type();
-        }
+        Info<< "Effects: ";
+        tellNames(Info);
         Info<< nl << endl;
+    }
+}
+
+
+void Foam::fsbi::effectList::tellNames(Ostream& os) const
+{
+    forAll(effects_, i)
+    {
+        os << (i ? " " : "") << effects_[i].type().c_str();
     }
 }
 
@@ -65,10 +72,15 @@ void Foam::fsbi::effectList::read(const dictionary& saved)
 const Foam::fsbi::loads& Foam::fsbi::effectList::apply()
 {
     loads_.clear();
+    culprit_.clear();
     for (const effect& e : effects_)
     {
-        auto timer = timings_.measure(e.type());
+        auto timer = timings_.weigh(e.type());
         e.apply(loads_);
+        if (culprit_.empty() && !loads_.finite())
+        {
+            culprit_ = e.type();
+        }
     }
     return loads_;
 }
@@ -79,7 +91,7 @@ Foam::scalar Foam::fsbi::effectList::longestStep(string& reason) const
     scalar longest = GREAT;
     for (const effect& e : effects_)
     {
-        auto timer = timings_.measure(e.type());
+        auto timer = timings_.weigh(e.type());
         string why;
         const scalar dt = e.longestStep(why);
         if (dt < longest)
@@ -96,7 +108,7 @@ bool Foam::fsbi::effectList::acceptable(string& reason) const
 {
     for (const effect& e : effects_)
     {
-        auto timer = timings_.measure(e.type());
+        auto timer = timings_.weigh(e.type());
         if (!e.acceptable(reason))
         {
             return false;
@@ -119,6 +131,7 @@ void Foam::fsbi::effectList::record(recording& history) const
 {
     for (const effect& e : effects_)
     {
+        auto timer = timings_.weigh(e.type());
         e.record(history);
     }
 }
@@ -128,7 +141,7 @@ void Foam::fsbi::effectList::beginStep()
 {
     for (effect& e : effects_)
     {
-        auto timer = timings_.measure(e.type());
+        auto timer = timings_.weigh(e.type());
         e.beginStep();
     }
 }
@@ -138,6 +151,7 @@ void Foam::fsbi::effectList::rewind()
 {
     for (effect& e : effects_)
     {
+        auto timer = timings_.weigh(e.type());
         e.rewind();
     }
 }
@@ -147,6 +161,7 @@ void Foam::fsbi::effectList::endStep()
 {
     for (effect& e : effects_)
     {
+        auto timer = timings_.weigh(e.type());
         e.endStep();
     }
 }

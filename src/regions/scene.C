@@ -76,9 +76,13 @@ bool Foam::fsbi::scene::advance()
 {
     failure_.clear();
     report_ = solverReport();
-    return
-        (fluid_ ? advanceFlow() : advanceSolids())
-     && (!effects_ || effects_->acceptable(failure_));
+    const bool good = fluid_ ? advanceFlow() : advanceSolids();
+    if (effects_ && effects_->culprit().size())
+    {
+        failure_ = "the load of effect '" + effects_->culprit()
+          + "' is infinite or no number";
+    }
+    return good && (!effects_ || effects_->acceptable(failure_));
 }
 
 

@@ -14,6 +14,7 @@ Description
 #include "petscObjects.H"
 #include "argList.H"
 #include "checkpoint.H"
+#include "dryRun.H"
 #include "recorder.H"
 
 using namespace Foam;
@@ -36,16 +37,29 @@ int main(int argc, char *argv[])
         "'startFrom latestTime' continues."
     );
 
+    argList::addBoolOption
+    (
+        "dry-run",
+        "Check the case, list its effects and every default taken, estimate"
+        " time and memory from two steps; write nothing"
+    );
+
     #include "setRootCase.H"
     fsbi::stateFolder::recover(args.path());
     #include "createTime.H"
 
-    fsbi::stepControl steps(runTime);
     fsbi::checkpoint states(runTime);
     const dictionary saved(states.read());
     const bool restarted = saved.size();
 
     fsbi::petscSession petsc;
+    if (args.found("dry-run"))
+    {
+        fsbi::dryRun(runTime).run(saved);
+        return 0;
+    }
+
+    fsbi::stepControl steps(runTime);
     fsbi::scene scene(runTime, saved);
     if (restarted)
     {

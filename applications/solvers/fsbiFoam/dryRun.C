@@ -1,0 +1,126 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "dryRun.H"
+#include "checkedDictionary.H"
+
+namespace
+{
+
+//- The second one starts from the flow of the first
+const Foam::label stepsTried = 2;
+
+} // End anonymous namespace
+
+
+void Foam::fsbi::dryRun::noteDefaults()
+{
+    wordHashSet seen;
+    checkedDictionary::tellDefaults([this, seen](const string& s) mutable
+    {
+        string text(s);
+        text.replace(time_.globalPath() + "/", "");
+        if (seen.insert(text))
+        {
+            defaults_.append(text);
+        }
+    });
+}
+
+
+void Foam::fsbi::dryRun::tryStep(scene& scene, stepControl& steps)
+{
+    const clockTime clock;
+    const scalar meshing = scene.clocks().seconds("meshing");
+    scene.beginStep();
+    if (!scene.advance())
+    {
+        scene.rewind();
+        steps.reject(scene);
+        return;
+    }
+    scene.endStep();
+    secondsPerStep_ = clock.elapsedTime()
+      - (scene.clocks().seconds("meshing") - meshing);
+    steps.accept(scene);
+    ++steps_;
+}
+
+
+void Foam::fsbi::dryRun::tellScene(const scene& scene) const
+{
+    const auto tell = [](const char* kind, const auto& bodies)
+    {
+        for (const auto& body : bodies)
+        {
+            Info<< "    " << kind << ' ' << body.name() << nl;
+        }
+    };
+    Info<< nl << "Scene" << nl;
+    tell("rigid body  ", scene.bodies());
+    tell("elastic body", scene.solids());
+    tell("rolling body", scene.prescribed());
+    Info<< "    cells        " << scene.nCells() << nl
+        << "    effects      ";
+    if (scene.effects())
+    {
+        scene.effects()->tellNames(Info);
+    }
+    else
+    {
+        Info<< "none";
+    }
+    Info<< nl;
+}
+
+
+void Foam::fsbi::dryRun::tellDefaults() const
+{
+    Info<< nl << "Defaults taken" << nl;
+    for (const string& line : defaults_)
+    {
+        Info<< "    " << line.c_str() << nl;
+    }
+}
+
+
+void Foam::fsbi::dryRun::tellCost(scene& scene) const
+{
+    const scalar left = time_.endTime().value() - time_.value();
+    const scalar steps = steps_ + max(left/time_.deltaTValue(), scalar(0));
+    Info<< nl << "Estimate for this machine" << nl
+        << "    steps        " << label(steps + 0.5) << " of "
+        << time_.deltaTValue() << ", " << secondsPerStep_ << " s each" << nl
+        << "    new meshes   " << scene.clocks().seconds("meshing")
+        << " s each, as the body moves" << nl
+        << "    time         " << steps*secondsPerStep_ << " s and new meshes"
+        << nl
+        << "    memory       " << returnReduce
+           (
+               timings::peakMemory(), sumOp<scalar>()
+           )
+        << " MB" << nl << nl << "Nothing was written" << nl << endl;
+}
+
+
+void Foam::fsbi::dryRun::run(const dictionary& saved)
+{
+    noteDefaults();
+    stepControl steps(time_);
+    scene scene(time_, saved);
+    if (saved.size())
+    {
+        steps.restore(saved.subDict("stepControl"));
+    }
+    tellScene(scene);
+    tellDefaults();
+    Info<< nl << "Steps tried" << endl;
+    while (steps_ < stepsTried && steps.next(scene))
+    {
+        tryStep(scene, steps);
+    }
+    tellCost(scene);
+    checkedDictionary::tellDefaults(nullptr);
+}
