@@ -39,7 +39,8 @@ Foam::fsbi::controller::controller
     around_(around),
     normal_(Zero),
     next_(0),
-    arrived_(false)
+    arrived_(false),
+    told_(true)
 {
     const checkedDictionary entries(dict);
     rolling_ = entries.choice("drive", {"rolling", "swimming"}) == "rolling";
@@ -256,10 +257,7 @@ void Foam::fsbi::controller::measure(const scalar t)
         now_.axis = axisFor(now_.heading);
         now_.from = begin(now_.axis, was);
     }
-    if (!there || !arrived_)
-    {
-        report();
-    }
+    told_ = there && arrived_;
     arrived_ = there;
 }
 
@@ -296,6 +294,16 @@ Foam::scalar Foam::fsbi::controller::longestStep
 ) const
 {
     return turns() ? 1/(stepsPerTurn*frequencies_[now_.mode]) : GREAT;
+}
+
+
+void Foam::fsbi::controller::beginStep()
+{
+    if (!told_)
+    {
+        report();
+        told_ = true;
+    }
 }
 
 
@@ -348,6 +356,7 @@ void Foam::fsbi::controller::save(dictionary& state) const
 {
     state.set("next", next_);
     state.set("arrived", arrived_);
+    state.set("told", told_);
     for (const bool last : {true, false})
     {
         const order& o = last ? last_ : now_;
@@ -367,6 +376,7 @@ void Foam::fsbi::controller::restore(const dictionary& state)
 {
     next_ = state.get<scalar>("next");
     arrived_ = state.get<bool>("arrived");
+    told_ = state.get<bool>("told");
     for (const bool last : {true, false})
     {
         order& o = last ? last_ : now_;

@@ -400,6 +400,15 @@ void Foam::fsbi::magnetics::record(recording& history) const
 }
 
 
+void Foam::fsbi::magnetics::beginStep()
+{
+    if (controller_.valid())
+    {
+        controller_->beginStep();
+    }
+}
+
+
 void Foam::fsbi::magnetics::endStep()
 {
     const List<state> all(states());

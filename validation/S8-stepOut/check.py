@@ -88,7 +88,7 @@ def stepsOut(run):
 def modelOf(run):
     angle = np.radians(75 if run.kind == "tilted" else 90)
     moment = np.array([np.sin(angle), 0, np.cos(angle)])
-    lag = {"w0.97": 1.1}.get(run.name, 0 if run.speed < FREE else np.pi / 2)
+    lag = {"w0.97": 1.2}.get(run.name, 0 if run.speed < FREE else np.pi / 2)
     return turned(M, moment, TORQUE, run.speed, lag, np.append(0, run.t))
 
 

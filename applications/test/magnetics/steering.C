@@ -82,7 +82,11 @@ static void checkLaw(checks& c)
     c.checkBelow
     (
         "bodies that all follow are not",
-        steeringLaw({2e-6, 2.5e-6}, {1, 2}, stepOuts).distinction(), 1e-7
+        steeringLaw
+        (
+            scalarList({2e-6, 2.5e-6}), scalarList({1, 2}), stepOuts
+        ).distinction(),
+        1e-7
     );
 }
 
@@ -210,9 +214,11 @@ static void checkHold(checks& c)
         "it does not see a body that moves between instants",
         mag(magnets->states()[0].B - before)/mag(before), 1e-6
     );
+    const unsigned precision = IOstream::defaultPrecision(17);
     dictionary saved;
     magnets->save(saved);
-    const auto again(bodies.make(scene()));
+    IOstream::defaultPrecision(precision);
+    auto again(bodies.make(scene()));
     const vector other(again->states()[0].B);
     again->restore(saved);
     c.check
@@ -267,7 +273,7 @@ static void checkRefusals(checks& c)
     refuses
     (
         "a body without a magnet", "first " + magnet, "",
-        "bodies that it turns are (second)"
+        "bodies that it turns are 1(second)"
     );
     refuses
     (
@@ -280,7 +286,7 @@ static void checkRefusals(checks& c)
         "'moment' must be above zero"
     );
     refuses("no target", "target (9 -0.2 7);", "", "'target' not found");
-    refuses("a target of two numbers", "(9 -0.2 7)", "(9 -0.2)", "target");
+    refuses("a target of two numbers", "(9 -0.2 7)", "(9 -0.2)", "expected scalar");
     refuses("a zero advance", "advance 1", "advance 0", "'advance' is zero");
     refuses
     (
