@@ -251,6 +251,46 @@ static void checkHold(checks& c)
 }
 
 
+//- A body that is on its own goes straight: axis of the field, right-handed
+static vector axisOf(const std::string& drive)
+{
+    std::string text(scene("drive rolling; normal (0 0 1);", drive));
+    const std::string second("second { target");
+    const size_t at = text.find(second);
+    text.erase(at, text.find("}", at) + 1 - at);
+    magneticScene bodies;
+    bodies.setClock(0, 1);
+    const auto magnets(bodies.make(text));
+    bodies.setClock(1e4, 1);
+    const vector B(magnets->states()[0].B);
+    bodies.setClock(2e4, 1);
+    const vector turn(B ^ magnets->states()[0].B);
+    return turn/mag(turn);
+}
+
+
+static void checkAxes(checks& c)
+{
+    // from (0.3 -0.2 0.5) to (9 -0.2 7)
+    const vector way(vector(8.7, 0, 6.5)/mag(vector(8.7, 0, 6.5)));
+    c.checkBelow
+    (
+        "the field of a body that rolls on turns about normal x heading",
+        mag(axisOf("drive rolling; normal (0 0 1);") - vector(0, 1, 0)), 1e-6
+    );
+    c.checkBelow
+    (
+        "under a wall the other way",
+        mag(axisOf("drive rolling; normal (0 0 -1);") - vector(0, -1, 0)), 1e-6
+    );
+    c.checkBelow
+    (
+        "that of a swimmer about its way",
+        mag(axisOf("drive swimming;") - way), 1e-6
+    );
+}
+
+
 static void checkRefusals(checks& c)
 {
     const auto refuses = [&]
@@ -328,6 +368,7 @@ void checkSteering(checks& c)
     checkLaw(c);
     checkCoils(c);
     checkHold(c);
+    checkAxes(c);
     checkRefusals(c);
 }
 
