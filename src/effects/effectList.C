@@ -104,6 +104,17 @@ Foam::scalar Foam::fsbi::effectList::longestStep(string& reason) const
 }
 
 
+Foam::scalar Foam::fsbi::effectList::nextInstant() const
+{
+    scalar next = GREAT;
+    for (const effect& e : effects_)
+    {
+        next = min(next, e.nextInstant());
+    }
+    return next;
+}
+
+
 bool Foam::fsbi::effectList::acceptable(string& reason) const
 {
     for (const effect& e : effects_)

@@ -6,6 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "magnetics.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dipole.H"
+#include "saturated.H"
 
 using Foam::constant::mathematical::pi;
 using Foam::constant::mathematical::twoPi;
@@ -40,7 +41,13 @@ Foam::fsbi::magnetics::magnetics
 :
     effect(around),
     units_(checkedDictionary(dict)),
-    fields_(checkedDictionary(dict).subDict("fields"), units_),
+    fields_
+    (
+        dict.found("controller")
+      ? checkedDictionary(dict).subDictOrEmpty("fields")
+      : checkedDictionary(dict).subDict("fields"),
+        units_
+    ),
     interaction_(dict.found("interaction")),
     stepsPerTurn_(checkedDictionary(dict).positive("stepsPerTurn", 40))
 {
@@ -54,7 +61,38 @@ Foam::fsbi::magnetics::magnetics
         checkedDictionary(entries.subDict("interaction")).finish();
     }
     readBodies(entries.subDict("bodies"));
+    if (entries.found("controller"))
+    {
+        readController(entries.subDict("controller"));
+    }
     entries.finish();
+}
+
+
+void Foam::fsbi::magnetics::readController(const dictionary& dict)
+{
+    controller_.reset(new controller(dict, around_, units_));
+    for (const label b : controller_->bodies())
+    {
+        wordList turning;
+        bool turns = false;
+        forAll(magnets_, i)
+        {
+            if (!isA<saturated>(magnets_[i].law()))
+            {
+                turning.append(body(i).name());
+                turns = turns || magnets_[i].body == b;
+            }
+        }
+        if (!turns)
+        {
+            FatalIOErrorInFunction(dict)
+                << "A turning field does not turn the body '"
+                << around_.bodies[b].name() << "': it is not magnetic, or"
+                << " without a preferred axis; bodies that it turns are "
+                << flatOutput(turning) << exit(FatalIOError);
+        }
+    }
 }
 
 
@@ -88,6 +126,26 @@ void Foam::fsbi::magnetics::readBodies(const dictionary& dict)
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::vector Foam::fsbi::magnetics::givenB
+(
+    const point& x, const scalar t
+) const
+{
+    const vector B(fields_.B(x, t));
+    return controller_.valid() ? B + controller_->B(x, t) : B;
+}
+
+
+Foam::tensor Foam::fsbi::magnetics::givenGradient
+(
+    const point& x, const scalar t
+) const
+{
+    const tensor G(fields_.gradient(x, t));
+    return controller_.valid() ? G + controller_->gradient(x, t) : G;
+}
+
 
 void Foam::fsbi::magnetics::interact(List<state>& s) const
 {
@@ -139,9 +197,9 @@ Foam::scalar Foam::fsbi::magnetics::forceStiffness
     const scalar h = 1e-3*cbrt(magnet.volume)*units_.metre();
     const auto force = [&](const point& x)
     {
-        const vector B(fields_.B(x, t) + s.B - s.givenB);
+        const vector B(givenB(x, t) + s.B - s.givenB);
         return
-            fields_.gradient(x, t)
+            givenGradient(x, t)
           & magnet.law->moment(magnet.volume, s.R, B);
     };
     scalar sum = 0;
@@ -233,8 +291,8 @@ Foam::fsbi::magnetics::states() const
         const placement where(body(i).placed());
         s.x = where.centre;
         s.R = where.orientation.R();
-        s.B = s.givenB = fields_.B(s.x, t);
-        s.gradient = s.givenGradient = fields_.gradient(s.x, t);
+        s.B = s.givenB = givenB(s.x, t);
+        s.gradient = s.givenGradient = givenGradient(s.x, t);
         s.m = magnets_[i].law->moment(magnets_[i].volume, s.R, s.B);
     }
     if (interaction_)
@@ -279,7 +337,17 @@ Foam::scalar Foam::fsbi::magnetics::longestStep(string& reason) const
             longest = min(longest, 0.5*dt);
         }
     }
+    if (controller_.valid())
+    {
+        longest = min(longest, controller_->longestStep(stepsPerTurn_));
+    }
     return longest;
+}
+
+
+Foam::scalar Foam::fsbi::magnetics::nextInstant() const
+{
+    return controller_.valid() ? controller_->nextInstant() : GREAT;
 }
 
 
@@ -296,6 +364,10 @@ void Foam::fsbi::magnetics::declare(recording& history) const
             },
             "B: T, m: A m2, f: M L/T2, t: M L2/T2, angle, lag: rad"
         );
+    }
+    if (controller_.valid())
+    {
+        controller_->declare(history);
     }
 }
 
@@ -321,16 +393,39 @@ void Foam::fsbi::magnetics::record(recording& history) const
             })
         );
     }
+    if (controller_.valid())
+    {
+        controller_->record(history);
+    }
+}
+
+
+void Foam::fsbi::magnetics::beginStep()
+{
+    if (controller_.valid())
+    {
+        controller_->beginStep();
+    }
 }
 
 
 void Foam::fsbi::magnetics::endStep()
 {
     const List<state> all(states());
+    const scalar t = around_.time.value();
     forAll(all, i)
     {
-        magnets_[i].lag.update(all[i].B, all[i].m);
-        magnets_[i].largestB = max(magnets_[i].largestB, mag(all[i].givenB));
+        // where there is no field nothing can lag
+        if (mag(all[i].B) > 0)
+        {
+            magnets_[i].lag.update(all[i].B, all[i].m);
+        }
+        magnets_[i].largestB =
+            max(magnets_[i].largestB, mag(fields_.B(all[i].x, t)));
+    }
+    if (controller_.valid())
+    {
+        controller_->endStep();
     }
 }
 
@@ -347,6 +442,12 @@ void Foam::fsbi::magnetics::save(dictionary& state) const
         dict.set("lag", lag);
         state.set(body(i).name(), dict);
     }
+    if (controller_.valid())
+    {
+        dictionary dict;
+        controller_->save(dict);
+        state.set("controller", dict);
+    }
 }
 
 
@@ -361,5 +462,10 @@ void Foam::fsbi::magnetics::restore(const dictionary& state)
             magnets_[i].largestB = dict->get<scalar>("largestB");
             magnets_[i].lag.restore(dict->subDict("lag"));
         }
+    }
+    const dictionary* dict = state.findDict("controller");
+    if (controller_.valid() && dict)
+    {
+        controller_->restore(*dict);
     }
 }

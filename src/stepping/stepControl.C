@@ -261,7 +261,10 @@ Foam::scalar Foam::fsbi::stepControl::smallestWanted(const scene& scene)
 }
 
 
-Foam::scalar Foam::fsbi::stepControl::fitted(const scalar dt) const
+Foam::scalar Foam::fsbi::stepControl::fitted
+(
+    const scene& scene, const scalar dt
+) const
 {
     const scalar now = time_.value();
     scalar target = time_.endTime().value();
@@ -273,6 +276,14 @@ Foam::scalar Foam::fsbi::stepControl::fitted(const scalar dt) const
         if (nextOutput < target - sameTime*dt)
         {
             target = nextOutput;
+        }
+    }
+    if (scene.effects())
+    {
+        const scalar instant = scene.effects()->nextInstant();
+        if (instant < target - sameTime*dt)
+        {
+            target = instant;
         }
     }
     const scalar steps = (target - now)/dt;
@@ -288,7 +299,7 @@ void Foam::fsbi::stepControl::choose(const scene& scene)
     if (adjustable())
     {
         chosen_ = smallestWanted(scene);
-        time_.setDeltaT(fitted(chosen_), false);
+        time_.setDeltaT(fitted(scene, chosen_), false);
         return;
     }
     const scalar deltaT = time_.controlDict().get<scalar>("deltaT");

@@ -8,7 +8,8 @@ Application
 Description
     Checks of magnetics: fields against quadrature, closed forms and Maxwell's
     equations, magnetisations against tables, forces and torques against the
-    derivatives of energies, steps against the fall of the energy.
+    derivatives of energies, steps against the fall of the energy, what a
+    controller orders against what bodies do.
 
 \*---------------------------------------------------------------------------*/
 
@@ -21,5 +22,6 @@ int main()
     Foam::fsbi::checkMagnetisations(c);
     Foam::fsbi::checkEffect(c);
     Foam::fsbi::checkSteps(c);
+    Foam::fsbi::checkSteering(c);
     return c.finish();
 }
