@@ -8,7 +8,8 @@ Application
 Description
     Checks of magnetics: fields against quadrature, closed forms and Maxwell's
     equations, magnetisations against tables, forces and torques against the
-    derivatives of energies, steps against the fall of the energy.
+    derivatives of energies, steps against the fall of the energy, designed
+    fields against closed forms and the loads of the effect.
 
 \*---------------------------------------------------------------------------*/
 
@@ -21,5 +22,6 @@ int main()
     Foam::fsbi::checkMagnetisations(c);
     Foam::fsbi::checkEffect(c);
     Foam::fsbi::checkSteps(c);
+    Foam::fsbi::checkDesign(c);
     return c.finish();
 }
