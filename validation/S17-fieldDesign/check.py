@@ -122,14 +122,14 @@ if not quick:
                color=plots.COLOURS[0], label="in the run")
     place.set(xlabel="x (µm)", ylabel="height above the wall (µm)", aspect="equal")
     place.set_title("A rigid bead led by six coils beside a wall, in a shear flow", loc="left")
-    place.legend(loc="upper right")
+    place.legend(loc="upper center")
     for i, name in enumerate(COILS):
         current.plot(1e-6 * table["time"], currents[i], color=plots.COLOURS[i % 5],
                      ls="-" if i < 5 else "--", label=name)
     for side in (-LIMIT, LIMIT):
         current.axhline(side, color="0.6", ls=":")
     current.set(xlabel="time (s)", ylabel="current (A)")
-    current.legend(ncols=3)
+    current.legend(ncols=6, fontsize=8, loc="lower center", bbox_to_anchor=(0.5, 1))
     figure.tight_layout()
     plots.save(figure, "path.png")
 results.write()
