@@ -10,6 +10,8 @@ Description
     equations, magnetisations against tables, forces and torques against the
     derivatives of energies, steps against the fall of the energy, what a
     controller orders against what bodies do.
+    derivatives of energies, steps against the fall of the energy, designed
+    fields against closed forms and the loads of the effect.
 
 \*---------------------------------------------------------------------------*/
 
@@ -23,5 +25,6 @@ int main()
     Foam::fsbi::checkEffect(c);
     Foam::fsbi::checkSteps(c);
     Foam::fsbi::checkSteering(c);
+    Foam::fsbi::checkDesign(c);
     return c.finish();
 }

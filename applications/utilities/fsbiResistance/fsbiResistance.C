@@ -29,6 +29,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "petscObjects.H"
+#include "resistance.H"
 #include "argList.H"
 #include "checkpoint.H"
 #include "OFstream.H"
@@ -164,27 +165,27 @@ int main(int argc, char *argv[])
     }
 
     const label n = 6*scene.bodies().size();
-    const scalarField flow(loadsAt(scene, scalarField(n, Zero)));
-    scalarSquareMatrix R(n, n, Zero);
-    for (label j = 0; j < n; ++j)
-    {
-        scalarField motion(n, Zero);
-        motion[j] = 1;
-        const scalarField load(loadsAt(scene, motion));
-        for (label i = 0; i < n; ++i)
-        {
-            R(i, j) = flow[i] - load[i];
-        }
-        Info<< scene.bodies()[j/6].name() << ' ' << columnNames[j % 6] << ": "
-            << scene.report().iterations << " iterations" << endl;
-    }
+    const fsbi::resistance found
+    (
+        fsbi::resistanceOf
+        (
+            n, [&](const scalarField& motion)
+            {
+                const scalarField loads(loadsAt(scene, motion));
+                Info<< "Solution: " << scene.report().iterations
+                    << " iterations" << endl;
+                return loads;
+            }
+        )
+    );
+    const scalarSquareMatrix& R = found.R;
     const fileName file
     (
         runTime.globalPath()/"postProcessing"/"resistance.csv"
     );
     if (Pstream::master())
     {
-        write(scene, file, R, inverse(R), flow);
+        write(scene, file, R, inverse(R), found.flow);
     }
     Info<< nl << "Cells: " << scene.nCells() << nl
         << "Asymmetry: " << asymmetry(R) << nl

@@ -1,0 +1,168 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+
+Application
+    fsbiFieldDesign
+
+Description
+    Which magnetic fields hold a body, or move it along a path: currents of
+    coils, a uniform field, a gradient as functions of time, so that the field
+    makes the force and torque that the fluid and everything else do not. The
+    load comes from a past run, in which a tether or constraints made it, or
+    from a path and the resistance of the fluid along it, with walls and flow.
+
+    Of all strengths that make it the least are taken, within limits: see
+    fieldDesign for the equations, designEntries for all keywords.
+
+Usage
+    system/fieldDesignDict
+    \code
+    body        microbead;
+    tether      { case "../tethered"; }     // or trajectory {...}
+    fields      { left { limit 2; } right { limit 2; } }    // A
+    bias        (0 0 0.01);                 // T
+    \endcode
+    constant/effects, with which fsbiFoam is run next
+    \code
+    left
+    {
+        type coil; centre (-5e4 0 0); axis (1 0 0); radius 5e4; turns 100;
+        current { type tableFile; file "<case>/constant/fieldDesign/left"; }
+    }
+    \endcode
+    Writes constant/fieldDesign/<field>, a table for each field, and
+    postProcessing/fieldDesign.csv: everything, with the load that was wanted
+    and that which is made.
+
+Limitations
+    The load is not fed back: the body is held where the field, the fluid and
+    the mesh bring it. Inertia, bonds and other effects are not in the load.
+
+\*---------------------------------------------------------------------------*/
+
+#include "petscObjects.H"
+#include "argList.H"
+#include "designFiles.H"
+#include "Time.H"
+
+using namespace Foam;
+
+static scalar largestLoad(const fsbi::course& wanted, const scalar radius)
+{
+    scalar largest = 0;
+    for (const fsbi::wantedLoad& w : wanted)
+    {
+        largest = max
+        (
+            largest, fsbi::fieldDesign::load(w.force, w.torque, radius)
+        );
+    }
+    return largest;
+}
+
+
+static fsbi::fieldDesign::task taskOf
+(
+    const fsbi::designEntries& entries, const fsbi::wantedLoad& w
+)
+{
+    fsbi::fieldDesign::task t;
+    for (const fsbi::drivenField& field : entries.driven())
+    {
+        for (label i = 0; i < field.size(); ++i)
+        {
+            t.sources.append
+            (
+                {field.unit(i, w.x), field.limit(), field.scale()}
+            );
+        }
+    }
+    t.given = entries.given(w.x, w.time);
+    t.R = w.R;
+    t.force = w.force;
+    t.torque = w.torque;
+    return t;
+}
+
+
+static void checkAttained
+(
+    const fsbi::designEntries& entries, const fsbi::wantedLoad& w,
+    const fsbi::fieldDesign::solution& s
+)
+{
+    if (s.residual > entries.tolerance() && !entries.report())
+    {
+        FatalIOErrorInFunction(entries.dict())
+            << "At time " << w.time << " the fields cannot make the load"
+            << " within their limits: wanted are the force " << w.force
+            << " and torque " << w.torque << ", made are " << s.force
+            << " and " << s.torque << ", " << s.residual
+            << " of the largest load are missing, more than the tolerance "
+            << entries.tolerance() << ". More or other coils, higher limits,"
+            << " a 'bias', or 'unattainable report;' to do what can be done"
+            << exit(FatalIOError);
+    }
+}
+
+
+int main(int argc, char *argv[])
+{
+    argList::noParallel();
+    argList::addNote
+    (
+        "Magnetic fields that hold a body, or move it along a path.\n\n"
+        "    system/fieldDesignDict:\n"
+        "        body        microbead;\n"
+        "        tether      { case \"../tethered\"; }   // a past run, or\n"
+        "        // trajectory { position table (...); end 1e5; }\n"
+        "        fields      { left { limit 2; } right { limit 2; } }\n\n"
+        "The fields are those of constant/effects: coils, uniform, gradient."
+        " All keywords:\netc/dictionaries/fieldDesignDict."
+        " Writes constant/fieldDesign/<field>, which\n"
+        "constant/effects reads as tableFile, and"
+        " postProcessing/fieldDesign.csv."
+    );
+    #include "setRootCase.H"
+    #include "createTime.H"
+    runTime.setTime(scalar(0), 0);
+    IOstream::defaultPrecision(16);         // of places on the way as entries
+
+    fsbi::petscSession petsc;
+    const fsbi::designEntries entries(runTime);
+    const scalar volume = entries.volume();
+    const scalar radius = fsbi::fieldDesign::radius(volume, entries.inUnits());
+    const fsbi::course wanted(entries.wanted());
+    const scalar largest = largestLoad(wanted, radius);
+    if (largest == 0)
+    {
+        FatalIOErrorInFunction(entries.dict())
+            << "No force or torque is wanted at any time" << exit(FatalIOError);
+    }
+    const fsbi::fieldDesign design
+    (
+        entries.law(), volume, entries.inUnits(), largest, entries.bias(),
+        entries.lawEntries()
+    );
+    List<fsbi::fieldDesign::solution> solutions(wanted.size());
+    scalarField strengths;
+    forAll(wanted, n)
+    {
+        solutions[n] = design.solve(taskOf(entries, wanted[n]), strengths);
+        strengths = solutions[n].strengths;
+        checkAttained(entries, wanted[n], solutions[n]);
+    }
+    const fsbi::designed result{entries, wanted, solutions};
+    const fileName folder(runTime.globalPath()/"constant"/"fieldDesign");
+    const fileName csv
+    (
+        runTime.globalPath()/"postProcessing"/"fieldDesign.csv"
+    );
+    result.writeTables(folder);
+    result.writeCsv(csv);
+    result.summarise(radius);
+    Info<< "Written: " << folder << ", " << csv << nl << nl << "End" << nl
+        << endl;
+    return 0;
+}
