@@ -16,7 +16,8 @@ Usage
     fsbiIdentifyMaterial -export surface.csv
     \endcode
     Entries of system/identifyDict: etc/dictionaries/identifyDict. Writes to
-    postProcessing/identification: material (as found), constants.csv.
+    postProcessing/identification: material (as found), constants.csv,
+    misfits.csv.
 
 Limitations
     One process. One elastic body at rest, without viscosity. Volume forces
@@ -161,13 +162,22 @@ static void report
         const auto& c = constants[k];
         const scalar deviation = Foam::sqrt(covariance[k][k]);
         const scalar half = t*deviation, value = found.value(k);
-        const scalar low = c.value(found.at()[k] - half);
-        const scalar high = c.value(found.at()[k] + half);
+        const bool sure = covariance[k][k] < GREAT;
+        const scalar low = sure ? c.value(found.at()[k] - half) : -GREAT;
+        const scalar high = sure ? c.value(found.at()[k] + half) : GREAT;
         os << c.name << ',' << value << ',' << low << ',' << high << ','
-            << (c.powers() ? value*deviation : deviation) << ','
-            << found.limited(k) << nl;
-        Info<< "    " << c.name << " = " << value << "    "
-            << 100*confidence << " % sure: " << low << " to " << high << nl;
+            << (sure ? (c.powers() ? value*deviation : deviation) : GREAT)
+            << ',' << found.limited(k) << nl;
+        Info<< "    " << c.name << " = " << value << "    ";
+        if (sure)
+        {
+            Info<< 100*confidence << " % sure: " << low << " to " << high << nl;
+        }
+        else
+        {
+            Info<< "not sure at all: the body found cannot bear small further"
+                << " forces" << nl;
+        }
         if (found.limited(k))
         {
             Info<< "    " << c.name << " is at the limit of its range: widen"
@@ -291,25 +301,31 @@ int main(int argc, char *argv[])
 
     const scalar tractionError = roughness ? found.tractionError() : given;
     const List<scalarList> covariance(found.covariance(tractionError));
-    report
+    const fileName folder
     (
-        found, constants, covariance, confidence,
         runTime.path()/"postProcessing"/"identification"
     );
-    const scalar misfit = found.misfit();
-    Info<< "    standard deviations: displacement "
-        << found.displacementError() << ", traction " << tractionError << nl
-        << "    misfit of displacement, relative " << misfit << nl;
+    report(found, constants, covariance, confidence, folder);
+    const scalar misfit = found.misfit(), noise = found.noise();
+    const scalar ratio = found.springs();
 
     // with the surface as observed, what does the law's traction lack?
     body.setSprings(stiff, found.modulus());
     body.setLaw(found.law());
     vectorField u;
-    if (body.solve(u))
-    {
-        Info<< "    misfit of traction, over that of no stress at all "
-            << body.springShare() << nl;
-    }
+    const scalar lack = body.solve(u) ? body.springShare() : GREAT;
+    Info<< "    standard deviations: displacement "
+        << found.displacementError() << ", traction " << tractionError << nl
+        << "    relative misfit of displacement " << misfit << ", of this noise "
+        << noise << ", model error "
+        << Foam::sqrt(max(0, sqr(misfit) - sqr(noise))) << nl
+        << "    misfit of traction over that of no stress " << lack << nl
+        << "    springs " << ratio << nl;
+    OFstream os(folder/"misfits.csv");
+    os.precision(10);
+    os << "displacement,noise,modelError,traction,springs" << nl << misfit << ','
+        << noise << ',' << Foam::sqrt(max(0, sqr(misfit) - sqr(noise))) << ','
+        << lack << ',' << ratio << nl;
     Info<< "    " << body.solutions() << " solutions, "
         << runTime.elapsedCpuTime() << " s" << nl << endl;
     return 0;

@@ -134,7 +134,7 @@ Foam::dictionary Foam::fsbi::identification::law(const scalarList& c) const
     const unsigned precision = IOstream::defaultPrecision(17);
     forAll(c, k)
     {
-        result.set(constants_[k].name, constants_[k].value(c[k]));
+        result.set(constants_[k].name, constants_[k].within(c[k]));
     }
     IOstream::defaultPrecision(precision);
     return result;
@@ -146,16 +146,13 @@ void Foam::fsbi::identification::residual
     const scalarList& c, vectorField& r
 )
 {
-    scalarList within(c);
     scalar beyond = 0;
     forAll(c, k)
     {
-        const scalar low = constants_[k].coordinate(constants_[k].lowest);
-        const scalar high = low + constants_[k].width();
-        within[k] = max(low, min(high, c[k]));
-        beyond += mag(c[k] - within[k])/constants_[k].width();
+        const constant& of = constants_[k];
+        beyond += mag(c[k] - of.coordinate(of.within(c[k])))/of.width();
     }
-    body_.setLaw(law(within));
+    body_.setLaw(law(c));
     if (!body_.solve(r))
     {
         r = vectorField(data_.size(), vector::one*10*body_.radius());
@@ -196,6 +193,17 @@ void Foam::fsbi::identification::slopes
 }
 
 
+void Foam::fsbi::identification::collapsed() const
+{
+    FatalErrorInFunction
+        << "There is no equilibrium of the body with the observed displacement"
+        << " and traction of its surface and the law" << nl << law()
+        << "Give other ranges, check the units of traction, or take another"
+        << " law: StVenantKirchhoff has no stiffness in compression below 0.58"
+        << exit(FatalError);
+}
+
+
 void Foam::fsbi::identification::start()
 {
     // stiffer and stiffer, for a body too soft collapses
@@ -216,13 +224,7 @@ void Foam::fsbi::identification::start()
             return;
         }
     }
-    FatalErrorInFunction
-        << "There is no equilibrium of the body with the observed displacement"
-        << " and traction of its surface and the law" << nl << law()
-        << "the other constants being in the middle of their ranges in 'find'."
-        << " Give other ranges, check the units of traction, or take another"
-        << " law: StVenantKirchhoff has no stiffness in compression below 0.58"
-        << exit(FatalError);
+    collapsed();
 }
 
 
@@ -230,14 +232,31 @@ void Foam::fsbi::identification::find(const scalar springs)
 {
     start();
     fit();
+    scalar ratio = springs;
     for (label i = 0; i < 5; ++i)
     {
         const scalar E = modulus();
-        body_.setSprings(springs, E);
+        ratio = soften(ratio);
         fit();
         if (mag(modulus() - E) < 0.3*E)
         {
             return;
+        }
+    }
+}
+
+
+Foam::scalar Foam::fsbi::identification::soften(const scalar springs)
+{
+    // a wrong law may not be able to bear the traction without
+    vectorField u;
+    for (scalar ratio = springs; ; ratio *= 2)
+    {
+        body_.setSprings(ratio, modulus());
+        body_.setLaw(law());
+        if (body_.solve(u) || ratio > 1e3)
+        {
+            return ratio;
         }
     }
 }
@@ -272,6 +291,11 @@ void Foam::fsbi::identification::fit()
     const scalarList found(at_);
     slopes(found, slopes_);
     residual(found, residual_);
+    vectorField u;
+    if (!body_.solve(u))
+    {
+        collapsed();
+    }
 }
 
 
@@ -296,7 +320,10 @@ Foam::scalar Foam::fsbi::identification::displacementError() const
 }
 
 
-Foam::scalar Foam::fsbi::identification::tractionError() const
+Foam::scalar Foam::fsbi::identification::roughness
+(
+    const vectorField& values
+) const
 {
     DynamicList<scalar> off;
     forAll(data_.x, i)
@@ -310,11 +337,11 @@ Foam::scalar Foam::fsbi::identification::tractionError() const
         (
             surfaceTransfer::fit(data_.x, others, data_.x[i], true)
         );
-        vector e(data_.t[i]);
+        vector e(values[i]);
         scalar square = 1;
         forAll(others, j)
         {
-            e -= weights[j]*data_.t[others[j]];
+            e -= weights[j]*values[others[j]];
             square += sqr(weights[j]);
         }
         for (direction k = 0; k < 3 && std::isfinite(mag(e)); ++k)
@@ -336,6 +363,18 @@ Foam::scalar Foam::fsbi::identification::misfit() const
     vectorField u(data_.u);
     removeRigid(u);
     return Foam::sqrt(sum(magSqr(residual_))/sum(magSqr(u)));
+}
+
+
+Foam::scalar Foam::fsbi::identification::noise() const
+{
+    vectorField u(data_.u);
+    removeRigid(u);
+    return min
+    (
+        misfit(),
+        roughness(data_.u)*Foam::sqrt(scalar(freedom())/sum(magSqr(u)))
+    );
 }
 
 
@@ -380,15 +419,13 @@ Foam::List<Foam::scalarList> Foam::fsbi::identification::covariance
         {
             byU[k] += weights[k][l]*slopes_[l];
         }
-        vectorField response;
-        if (!body_.respond(transfer.fromPoints(byU[k]), response))
+        vectorField response, reaction;
+        if (!body_.respond(transfer.fromPoints(byU[k]), response, reaction))
         {
-            FatalErrorInFunction
-                << "The body found cannot bear small further forces: it is at"
-                << " the point of buckling" << exit(FatalError);
+            return List<scalarList>(p, scalarList(p, GREAT));
         }
         byT[k] = transfer.fromFaces(body_.areas()*response);
-        byU[k] -= body_.stiffness()*byT[k];
+        byU[k] += transfer.fromFaces(reaction) - body_.stiffness()*byT[k];
     }
     List<scalarList> result(p, scalarList(p));
     for (label k = 0; k < p; ++k)

@@ -18,6 +18,9 @@ namespace fsbi
 //- Smallest part of the data that is added at once
 static const scalar smallest = 0.02;
 
+//- Springs that keep a compressed body from turning over, over the least ones
+static const scalar safety = 2;
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -43,6 +46,30 @@ Foam::fsbi::loadedBody::loadedBody
     setLoads(data, deformed);
     const scalar pi = constant::mathematical::pi;
     radius_ = Foam::sqrt(0.25*sum(areas_)/pi);
+    if (!held_)
+    {
+        setSteadying();
+    }
+}
+
+
+void Foam::fsbi::loadedBody::setSteadying()
+{
+    // moment of the forces and of springs of unit stiffness, per small angle
+    vectorField x
+    (
+        given_
+      + SubField<vector>
+        (
+            mesh_.faceCentres(), kinds_.size(), mesh_.nInternalFaces()
+        )
+    );
+    x -= sum(areas_*x)/sum(areas_);
+    const symmTensor virial(symm(sum(force_*x)));
+    const symmTensor moment(tr(virial)*symmTensor::I - virial);
+    const symmTensor springs(sum(areas_*(magSqr(x)*symmTensor::I - sqr(x))));
+    steadying_ =
+        safety*max(0, -eigenValues(moment).x()/eigenValues(springs).x());
 }
 
 
@@ -154,7 +181,7 @@ void Foam::fsbi::loadedBody::setSprings
     const scalar ratio, const scalar modulus
 )
 {
-    stiffness_ = ratio*modulus/radius_;
+    stiffness_ = max(ratio*modulus/radius_, steadying_);
 }
 
 
@@ -215,6 +242,14 @@ bool Foam::fsbi::loadedBody::solve(const scalar part, const vectorField& more)
         return false;
     }
     faces_ = elastic_->boundaryDisplacement();
+    reaction_ = elastic_->boundaryForce();
+    forAll(kinds_, i)
+    {
+        if (kinds_[i] != solidBoundary::displacement)
+        {
+            reaction_[i] = Zero;
+        }
+    }
     return true;
 }
 
@@ -264,18 +299,20 @@ bool Foam::fsbi::loadedBody::solve(vectorField& u)
 
 bool Foam::fsbi::loadedBody::respond
 (
-    const vectorField& force, vectorField& du
+    const vectorField& force, vectorField& du, vectorField& reaction
 )
 {
-    const vectorField faces(faces_);
+    const vectorField faces(faces_), reactions(reaction_);
     const scalarList x(x_);
 
     // small, but far above the solver's tolerance
     const scalar size = 1e-3*Foam::sqrt(sum(magSqr(force_))/sum(magSqr(force)));
     const bool solved = solve(1, size*force);
     du = (faces_ - faces)/size;
+    reaction = (reaction_ - reactions)/size;
     x_ = x;
     faces_ = faces;
+    reaction_ = reactions;
     return solved;
 }
 
