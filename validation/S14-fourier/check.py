@@ -145,11 +145,47 @@ def seconds_table():
     draw.seconds(sorted(rows))
 
 
+def beam_run(name):
+    """(corrections, seconds, deflection, did it get there)."""
+    folder = f"runs/beam_{name}"
+    coupled = os.path.exists(f"{folder}/log.fsbiFoam")
+    log = f"{folder}/log." + ("fsbiFoam" if coupled else "solidDisplacementFoam")
+    with open(log) as file:
+        text = file.read()
+    seconds = float(re.findall(r"^ExecutionTime = ([0-9.]+) s", text, re.M)[-1])
+    deflection = float(re.findall(r"max\(mag\(D\)\) = (\S+)", text)[-1])
+    if coupled:
+        steps = int(re.findall(r"corrections +(\d+)", text)[-1])
+        return steps, seconds, deflection, True
+    residuals = np.array(re.findall(r"Solving for D[xyz], Initial residual = (\S+),", text), float)
+    steps = len(residuals) // 3
+    return steps, seconds, deflection, residuals[-3:].max() < 1e-4
+
+
+def beam_table():
+    """Seconds are ExecutionTime: of the processor, start included."""
+    names = [os.path.basename(f).removeprefix("beam_") for f in glob.glob("runs/beam_*")]
+    exact = beam_run("NewtonKrylov")[2]
+    rows = sorted((*beam_run(name), name) for name in names)
+    print("    the beam: method, corrections, seconds, deflection over that of NewtonKrylov")
+    for steps, seconds, bent, there, name in sorted(rows, key=lambda row: row[1]):
+        print(f"    {name:14s} {steps:6d} {seconds:7.2f}  {bent / exact:.3f}"
+              + ("" if there else "  not there"))
+    took = {name: seconds for _, seconds, _, _, name in rows}
+    others = min(took[n] for n in ("PCG", "GAMG"))
+    results.at_least("beam_NewtonKrylov_over_PCG_or_GAMG", others / took["NewtonKrylov"], 5,
+                     seconds=took["NewtonKrylov"], cells=640)
+    with open("runs/beam_tuned8/log.fsbiTuneRelaxation") as log:
+        print("    " + log.read().replace("\n", "\n    ").rstrip())
+    print(f"    tuned over not tuned, in seconds: {took['factors8'] / took['tuned8']:.2f}")
+
+
 check_waves()
 check_schedules()
 check_rates()
 check_use()
 if not quick:
     seconds_table()
+    beam_table()
 draw.symbols()
 results.write()
