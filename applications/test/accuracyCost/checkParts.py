@@ -126,7 +126,7 @@ def check_mesh_knob():
              *(read("system/remeshDict", e) for e in ("growth", "farSize", "cellsPerGap")),
              read("system/blockMeshDict", "n")]
     check("mesh 2 doubles sizes and growth, halves blocks and cells per gap",
-          found == [6, 1.2, 20, 1.5, 6], found)
+          found == [4.8, 1.2, 20, 1.5, 6], found)
     with open("scaled/system/blockMeshDict") as file:
         check("also numbers in the blocks, down to one", "(4 $n 1)" in file.read())
     entries.set("constant/bodies", "tumourCell/shape", "{ type sphere; radius 8; }")

@@ -17,6 +17,7 @@ def draw(study, path, advice=None, accuracy=None, verified=None, title=""):
                               ("processor seconds", "most memory (MB)")):
         _panel(study, a, cost)
         a.set(xlabel=label, yscale="log")
+        a.margins(0.08, 0.12)               # room for the values beside the points
         _scale(a, [v.record[cost] for v in study.variants if v.done()])
         a.grid(True, which="minor", axis="y", lw=0.3)
         a.yaxis.set_major_formatter(lambda y, _: f"{100 * y:g} %")
