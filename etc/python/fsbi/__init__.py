@@ -5,4 +5,5 @@
 history   time series of a run      results   results.csv and its bounds
 plots     curves, convergence       picture   meshes, bodies and fields
 case      a finished run            errors    distance from an exact solution
+accuracyCost   the parts of fsbiAccuracyCost
 """
