@@ -9,9 +9,8 @@ Description
     Checks of magnetics: fields against quadrature, closed forms and Maxwell's
     equations, magnetisations against tables, forces and torques against the
     derivatives of energies, steps against the fall of the energy, what a
-    controller orders against what bodies do.
-    derivatives of energies, steps against the fall of the energy, designed
-    fields against closed forms and the loads of the effect.
+    controller orders against what bodies do, designed fields against closed
+    forms and the loads of the effect.
 
 \*---------------------------------------------------------------------------*/
 
