@@ -1,13 +1,14 @@
 #!/usr/bin/python3
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Write the validation table of a README from the results.csv files.
+"""Write the validation tables of two READMEs from the results.csv files.
 
-    table.py README.md validation/*/results.csv
+    table.py README.md validation/README.md validation/*/results.csv
 
-The table replaces what stands between the lines <!-- results --> and
-<!-- /results -->. Rows that differ only in mesh, height, step or width are one
-line, with the row that comes closest to its bound.
+A table replaces what stands between the lines <!-- results --> and
+<!-- /results -->: in the first file a line for each folder, in the second one
+for each quantity. Rows that differ only in mesh, height, step or width are one
+quantity, with the row that comes closest to its bound.
 """
 
 import math
@@ -47,37 +48,79 @@ def number(text):
     return f"{float(text):.2g}" if float(text) else "0"
 
 
-def line(folder, name, rows):
-    worst = max(rows, key=closeness)
-    cells = max(int(row["cells"]) for row in rows)
-    if one_sided(worst):
-        shown = f"{float(worst['value']):.3g}", f"≥ {float(worst['reference']):g}"
-    else:
-        shown = number(worst["error"]), number(worst["bound"])
-    mark = "" if all(map(results.passed, rows)) else " **not met**"
-    return (f"| [{worst['case']}]({folder}) | {name} | {len(rows)} | {shown[0]} |"
-            f" {shown[1]}{mark} | {cells if cells else ''} |")
+def shown(row):
+    """Error and bound, or value and the least it may be"""
+    if one_sided(row):
+        return f"{float(row['value']):.3g}", f"≥ {float(row['reference']):g}"
+    return number(row["error"]), number(row["bound"])
 
 
-def table(paths):
-    lines = ["| case | quantity | checks | error or value | bound | largest mesh |",
-             "|---|---|---|---|---|---|"]
-    for path in paths:
-        groups = {}
-        for row in results.read(path):
-            groups.setdefault(group(row), []).append(row)
-        lines += [line(os.path.dirname(path), *item) for item in groups.items()]
-    return "\n".join(lines)
+def quantities(path):
+    groups = {}
+    for row in results.read(path):
+        groups.setdefault(group(row), []).append(row)
+    return groups
 
 
-def main(readme, *paths):
+def missed(rows):
+    return not all(map(results.passed, rows))
+
+
+def quantity_lines(path):
+    folder = os.path.basename(os.path.dirname(path))
+    for name, rows in quantities(path).items():
+        worst = max(rows, key=closeness)
+        cells = max(int(row["cells"]) for row in rows)
+        value, bound = shown(worst)
+        yield (f"| [{worst['case']}]({folder}) | {name} | {len(rows)} | {value} | {bound}"
+               f"{' **not met**' if missed(rows) else ''} | {cells if cells else ''} |")
+
+
+def purpose(folder):
+    """The first sentence or two of its Allrun"""
+    words = []
+    with open(os.path.join(folder, "Allrun")) as file:
+        for text in list(file)[1:]:
+            if not text.startswith("# ") or text.startswith("# Usage"):
+                break
+            words.append(text[2:].strip())
+    return " ".join(words)
+
+
+def folder_line(path):
+    folder = os.path.dirname(path)
+    groups = quantities(path)
+    names = [name for name, rows in groups.items() if missed(rows)]
+    checks = sum(map(len, groups.values()))
+    return (f"| [{os.path.basename(folder)}]({folder}) | {purpose(folder)} | {checks} |"
+            f" {', '.join(names) if names else 'all met'} |")
+
+
+def overview(paths):
+    return ["| validation | what | checks | bounds not met |", "|---|---|---|---|",
+            *map(folder_line, paths)]
+
+
+def details(paths):
+    return ["| case | quantity | checks | error or value | bound | largest mesh |",
+            "|---|---|---|---|---|---|",
+            *(line for path in paths for line in quantity_lines(path))]
+
+
+def replace(readme, lines):
     with open(readme) as file:
         before, _, rest = file.read().partition(START)
     _, end, after = rest.partition(END)
     if not end:
         sys.exit(f"table: {readme} has no lines {START} and {END}")
+    table = "\n".join(lines)
     with open(readme, "w") as file:
-        file.write(f"{before}{START}\n{table(paths)}\n{END}{after}")
+        file.write(f"{before}{START}\n{table}\n{END}{after}")
+
+
+def main(readme, full, *paths):
+    replace(readme, overview(paths))
+    replace(full, details(paths))
 
 
 if __name__ == "__main__":
