@@ -20,6 +20,8 @@ def draw(study, path, advice=None, accuracy=None, verified=None, title=""):
         a.margins(0.08, 0.12)               # room for the values beside the points
         _scale(a, [v.record[cost] for v in study.variants if v.done()])
         a.grid(True, which="minor", axis="y", lw=0.3)
+        a.yaxis.set_major_locator(plots.matplotlib.ticker.LogLocator(subs=(1, 2, 5)))
+        a.yaxis.set_minor_formatter(plots.matplotlib.ticker.NullFormatter())
         a.yaxis.set_major_formatter(lambda y, _: f"{100 * y:g} %")
     _label(study, axes[0])
     _marks(study, axes, advice, accuracy, verified)
@@ -74,12 +76,16 @@ def _panel(study, axes, cost):
 
 
 def _label(study, axes):
-    """Values beside the points; those at the ends of a knob only if many."""
+    """Values beside the points; those at the ends of a knob only if many, and
+    none on the base's point."""
+    base = np.log(np.ravel(_xy([study.variants[0]], "seconds")))
     for i, knob in enumerate(study.knobs):
         ran = [v for v in study.of_knob(knob) if v.knob]
         shown = ran if len(ran) < 7 else [ran[0], ran[-1]]
         for v in shown:
             x, y = _xy([v], "seconds")
+            if np.abs(np.log([x[0], y[0]]) - base).max() < 0.1:
+                continue
             text = v.settings[knob.name]
             text = f"×{float(text):g}" if knob.name in TITLES else text[:18]
             axes.annotate(text, (x[0], y[0]), (5, 6 if i % 2 == 0 else -12),

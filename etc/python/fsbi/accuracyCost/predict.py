@@ -21,6 +21,7 @@ NUMBER = ((0.0, 1.5), (0.0, 1.0), (0.0, 0.7))
 WORD = ((0.0, 1.2), (0.0, 0.3), (0.0, 0.3))
 NOISE, PER_DISTANCE = 0.08, 0.15
 FLAT = {"tolerance": 0.15}      # how near runs are along a knob of little effect
+START = 0.5             # seconds of any run that no knob changes
 UNSURE = 0.6            # of the logarithm: more is a guess
 
 
@@ -48,6 +49,7 @@ class Predictor:
         return np.array(row)
 
     def add(self, settings, stepping, meshing, megabytes):
+        stepping = max(stepping - START, 0.1 * stepping)
         logs = [np.log(max(y, 1e-3)) for y in (stepping, meshing, megabytes)]
         self.done.append((self.point(settings), logs))
 
@@ -78,6 +80,6 @@ class Predictor:
             mean, covariance = self.law(which, x)
             values.append(np.exp(row @ mean))
             widths.append(np.sqrt(row @ covariance @ row))
-        seconds = values[0] + values[1]
+        seconds = START + values[0] + values[1]
         width = (values[0] * widths[0] + values[1] * widths[1]) / seconds
         return seconds, values[2], width

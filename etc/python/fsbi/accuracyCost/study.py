@@ -164,14 +164,18 @@ class Study:
 
     def advise(self, accuracy):
         """The cheapest settings whose knobs' errors and floor add up to the
-        accuracy at most; None if there are none."""
+        accuracy at most, or that were run and have it; None if there are none."""
         choices = [self._choices(k) for k in self.knobs]
         floor = np.array(self.floor) / self.scale
         mean, _ = self.predictor.law(0, np.zeros(len(self.predictor.features)))
         mesh, _ = self.predictor.law(1, np.zeros(len(self.predictor.features)))
+        measured = {tuple(v.settings[k.name] for k in self.knobs): v.error
+                    for v in (*self.variants, *self.extra) if v.done()}
         best = None
         for row in itertools.product(*choices):
-            error = float((floor + sum(c[1] for c in row)).max())
+            error = measured.get(tuple(c[0] for c in row))
+            if error is None:
+                error = float((floor + sum(c[1] for c in row)).max())
             if error > accuracy:
                 continue
             x = np.concatenate(([1], *[c[2] for c in row]))
@@ -185,9 +189,10 @@ class Study:
 
     def reachable(self):
         """The smallest error that any choice has."""
+        least = min(v.error for v in (*self.variants, *self.extra) if v.done())
         floor = np.array(self.floor) / self.scale
-        return float((floor + sum(min((c[1] for c in self._choices(k)), key=max)
-                                  for k in self.knobs)).max())
+        return min(least, float((floor + sum(
+            min((c[1] for c in self._choices(k)), key=max) for k in self.knobs)).max()))
 
     def _choices(self, knob):
         """(value, own errors relative, features) of values run, and of those
