@@ -16,16 +16,19 @@ Usage
     {
         libs        ("libfault.so");
         body        tumourCell;
-        push        (nan nan nan);
+        push        (0 1 0);
+        times       nan;        // of the push; also infinite, none
         attempt     3;
-        times       1;
+        attempts    1;
     }
     \endcode
 
 \*---------------------------------------------------------------------------*/
 
 #include "effect.H"
+#include "untrapped.H"
 #include "addToRunTimeSelectionTable.H"
+#include <limits>
 
 namespace Foam
 {
@@ -37,9 +40,9 @@ class fault
     public effect
 {
     const label body_;
-    const vector push_;
+    vector push_;
     const label attempt_;
-    const label times_;
+    const label attempts_;
 
     //- Attempts so far; not of the state: a repeated step is another attempt
     label begun_ = 0;
@@ -54,12 +57,19 @@ public:
         body_(around.bodyIndex(dict.get<word>("body"), dict)),
         push_(dict.get<vector>("push")),
         attempt_(dict.get<label>("attempt")),
-        times_(dict.get<label>("times"))
-    {}
+        attempts_(dict.get<label>("attempts"))
+    {
+        const word times(dict.get<word>("times"));
+        const untrapped scope;
+        push_ *=
+            times == "nan" ? std::nan("")
+          : times == "infinite" ? std::numeric_limits<scalar>::infinity()
+          : 1;
+    }
 
     void apply(loads& l) const override
     {
-        if (begun_ >= attempt_ && begun_ < attempt_ + times_)
+        if (begun_ >= attempt_ && begun_ < attempt_ + attempts_)
         {
             l.add
             (
