@@ -4,6 +4,7 @@
 
     fuzz.py --seeds 1 200       appends to fuzz.csv; seeds it has are left out
     fuzz.py --again VERDICT     runs those of that verdict again
+    fuzz.py --only SEED ...     runs these
     fuzz.py --show SEED         only writes the case folder runs/fuzz<seed>
 
 Exit code 0: every verdict is `right` or `stopped`.
@@ -304,6 +305,7 @@ def main():
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--seeds", nargs=2, type=int, default=(1, 0))
     options.add_argument("--again", nargs="+", default=[])
+    options.add_argument("--only", nargs="+", type=int, default=[])
     options.add_argument("--show", type=int)
     options.add_argument("--results", default="fuzz.csv")
     chosen = options.parse_args()
@@ -312,6 +314,7 @@ def main():
         return 0
     rows = {int(row["seed"]): row for row in read(chosen.results)}
     seeds = [s for s in range(chosen.seeds[0], chosen.seeds[1] + 1) if s not in rows]
+    seeds += [s for s in chosen.only if s not in rows]
     seeds += [s for s, row in rows.items() if row["verdict"] in chosen.again]
     for seed in seeds:
         rows[seed] = run(seed)

@@ -125,13 +125,13 @@ def balance(scene, history):
                  magnetic(history, body, "f"), body_force(body, history)]
         largest = max(np.abs(p).max() for p in parts)
         rest = np.abs(sum(parts)).max()
-        least = scale(scene, body)
+        least = scale(scene, body, history)
         if rest > tolerated(history, body) * max(largest, least):
             return f"forces on {body.name} sum to {rest:.3g} of {largest:.3g}"
     return ""
 
 
-def scale(scene, body):
+def scale(scene, body, history):
     """Forces in the scene that the solver sees beside this body's own."""
     size = 6 * np.pi * scene.flow.viscosity * body.a
     speed = scene.flow.fastest
@@ -140,6 +140,8 @@ def scale(scene, body):
         size_of = 6 * np.pi * scene.flow.viscosity * other.a
         speed += np.linalg.norm(force) / size_of
         speed += np.linalg.norm(torque) / (size_of * other.a)
+        speed += np.abs(magnetic(history, other, "f")).max() / size_of
+        speed += np.abs(magnetic(history, other, "t")).max() / (size_of * other.a)
         speed += np.linalg.norm(other.entries.get("bodyForce", (0, 0, 0))) * other.a**3 \
             / size_of
         for key, arm in (("velocity", 1), ("angularVelocity", other.R)):
@@ -168,7 +170,7 @@ def rigid_balance(scene, history, body):
         parts = [vectors(history, path + f"{kind}/fluid"),
                  vectors(history, path + f"{kind}/applied"), magnetic(history, body, short)]
         largest = max(np.abs(p).max() for p in parts)
-        least = scale(scene, body) * (body.a if kind == "torque" else 1)
+        least = scale(scene, body, history) * (body.a if kind == "torque" else 1)
         bound = tolerated(history, body) * max(largest, least)
         rest = np.abs(sum(parts)).max()
         if rest > bound:
