@@ -34,6 +34,9 @@ const Foam::scalar maxGrowth = 1.5;
 //- Turn of a body in a step that is told where the user gives the step, rad
 const Foam::scalar unresolvedTurn = 1;
 
+//- Steps, each half as long as the one before, to end an interrupted run with
+const Foam::label maxLastTries = 3;
+
 //- Part of a step by which times may differ and still be the same
 const Foam::scalar sameTime = 1e-6;
 
@@ -93,6 +96,7 @@ Foam::fsbi::stepControl::stepControl(Time& time)
     stop_(false),
     gapTold_(false),
     turnTold_(false),
+    lastTries_(0),
     began_(-1),
     firstTime_(time.value())
 {
@@ -350,9 +354,13 @@ void Foam::fsbi::stepControl::reject(const scene& scene)
             << " minDeltaT in " << time_.controlDict().name()
             << " is " << shortest() << exit(FatalError);
     }
-    if (returnReduce(bool(interrupted), orOp<bool>()))
+    // a shorter step may do to end with; if not, the mesh is that of a failed one
+    if
+    (
+        returnReduce(bool(interrupted), orOp<bool>())
+     && ++lastTries_ > maxLastTries
+    )
     {
-        // no step to end with: the mesh is that of the failed one
         FatalErrorInFunction
             << "Interrupted while steps fail, the last one because "
             << scene.failure().c_str() << ". 'startFrom latestTime' continues"

@@ -23,7 +23,7 @@ from scene import Body, Flow, Scene
 
 HEADER = ["seed", "verdict", "seconds", "scene", "why"]
 GOOD = ("right", "stopped")
-SECONDS = 30            # then a Ctrl-C; the run has to end itself
+SECONDS = 15            # then a Ctrl-C; the run has to end itself
 
 
 class Draw:

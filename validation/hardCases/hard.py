@@ -181,7 +181,7 @@ def heavyLongSteps():
 # Near, many, overlapping
 
 @case("a sphere driven at a wall from a gap of 0.01 r: never through it, and the gap told; "
-      "it may stop and name the gap", quick=True, stops="near as")
+      "it may stop and name the gap", stops="near as")
 def gap001():
     flow = Flow("rest", floor=True)
     body = bead(position=(0, -20 + 3.03, 0), force=(0, -0.01, 0))
@@ -196,7 +196,7 @@ def gap001():
 
 
 @case("two spheres 0.01 r apart, pushed together: neither in the other; on coarse triangles "
-      "it may stop and name the gap", stops="near as")
+      "it may stop and name the gap", quick=True, stops="near as")
 def pair001():
     scene = Scene(Flow("rest"), step=1000, steps=4)
     for name, side in (("a", -1), ("b", 1)):
