@@ -12,6 +12,9 @@ namespace fsbi
 {
     defineTypeNameAndDebug(linearElastic, 0);
     addToRunTimeSelectionTable(solidMaterial, linearElastic, entries);
+
+    //- Change of a length or a volume from which on Hooke's law is far off
+    static const scalar notSmall = 0.1;
 }
 }
 
@@ -81,4 +84,26 @@ Foam::tensor Foam::fsbi::linearElastic::viscousTangent
 ) const
 {
     return (2*viscosity())*symm(dFdot);
+}
+
+
+Foam::string Foam::fsbi::linearElastic::warning
+(
+    const scalar minJ, const scalar minStretch
+) const
+{
+    if (minStretch > 1 - notSmall && mag(minJ - 1) < notSmall)
+    {
+        return string();
+    }
+    char text[200];
+    snprintf
+    (
+        text, sizeof(text),
+        "linearElastic is for strains and rotations of a few per cent, and the "
+        "smallest stretch is %.3g, the smallest volume ratio %.3g: take "
+        "neoHookean",
+        minStretch, minJ
+    );
+    return text;
 }

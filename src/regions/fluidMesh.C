@@ -174,6 +174,7 @@ bool Foam::fsbi::fluidMesh::generate
     Pstream::scatter(reason);
     if (!reason.empty())
     {
+        reason += narrowGap();
         return false;
     }
     release();
@@ -223,6 +224,20 @@ Foam::scalar Foam::fsbi::fluidMesh::resolvedGap() const
 }
 
 
+Foam::string Foam::fsbi::fluidMesh::narrowGap() const
+{
+    const scalar gap = smallestGap();
+    if (gap >= resolvedGap())
+    {
+        return string();
+    }
+    return
+        " (bodies and walls are as near as " + name(gap)
+      + ": that needs a smaller 'size' of the shapes in constant/bodies, or an"
+        " effect 'repulsion' that keeps them apart)";
+}
+
+
 Foam::scalar Foam::fsbi::fluidMesh::smallestGap() const
 {
     const vector moved(shift() - referenceShift_);
@@ -243,7 +258,10 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap() const
     forAll(bodies_, b)
     {
         const bodySurface surface(bodies_[b].meshedSurface());
-        approach(walls_(), surface.points(), moved);
+        if (walls_)         // known with the first mesh
+        {
+            approach(walls_(), surface.points(), moved);
+        }
         if (bodies_.size() > 1)
         {
             const surfaceDistance tree(surface.points(), surface.triangles());
@@ -297,7 +315,8 @@ bool Foam::fsbi::fluidMesh::usable(string& reason) const
     {
         return true;
     }
-    reason = "a cell of the fluid has the volume " + name(smallest);
+    reason =
+        "a cell of the fluid has the volume " + name(smallest) + narrowGap();
     return false;
 }
 

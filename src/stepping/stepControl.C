@@ -31,6 +31,12 @@ extern "C" void onInterrupt(int signal)
 //- Steps grow by no more than this factor
 const Foam::scalar maxGrowth = 1.5;
 
+//- Turn of a body in a step that is told where the user gives the step, rad
+const Foam::scalar unresolvedTurn = 1;
+
+//- Steps, each half as long as the one before, to end an interrupted run with
+const Foam::label maxLastTries = 3;
+
 //- Part of a step by which times may differ and still be the same
 const Foam::scalar sameTime = 1e-6;
 
@@ -89,6 +95,8 @@ Foam::fsbi::stepControl::stepControl(Time& time)
     retry_(false),
     stop_(false),
     gapTold_(false),
+    turnTold_(false),
+    lastTries_(0),
     began_(-1),
     firstTime_(time.value())
 {
@@ -357,6 +365,18 @@ void Foam::fsbi::stepControl::reject(const scene& scene)
             << " minDeltaT in " << time_.controlDict().name()
             << " is " << shortest() << exit(FatalError);
     }
+    // a shorter step may do to end with; if not, the mesh is that of a failed one
+    if
+    (
+        returnReduce(bool(interrupted), orOp<bool>())
+     && ++lastTries_ > maxLastTries
+    )
+    {
+        FatalErrorInFunction
+            << "Interrupted while steps fail, the last one because "
+            << scene.failure().c_str() << ". 'startFrom latestTime' continues"
+            << " from the last saved state" << exit(FatalError);
+    }
     if (!adjustable() && gridTime_ < 0)
     {
         gridTime_ = time_.value();
@@ -407,6 +427,35 @@ void Foam::fsbi::stepControl::accept(const scene& scene)
     );
     Info<< line << scene.warning().c_str() << endl;
     tellOfGap(scene, gap);
+    tellOfTurn(scene);
+}
+
+
+void Foam::fsbi::stepControl::tellOfTurn(const scene& scene)
+{
+    const auto tell = [&](const word& name, const vector& spin)
+    {
+        const scalar turn = mag(spin)*time_.deltaTValue();
+        if (!turnTold_ && !adjustable() && turn > unresolvedTurn)
+        {
+            Info<< "Body '" << name << "' turned by " << turn << " rad in this"
+                << " step: a motion that depends on where it points to is not"
+                << " resolved. Take a smaller deltaT, or adjustTimeStep (system/"
+                << "controlDict)" << endl;
+            turnTold_ = true;
+        }
+    };
+    for (const rigidBody& body : scene.bodies())
+    {
+        tell(body.name(), angular(body.now().velocity));
+    }
+    for (const solidRegion& solid : scene.solids())
+    {
+        if (scene.hasFluid())
+        {
+            tell(solid.name(), angular(solid.surface().motion()));
+        }
+    }
 }
 
 
