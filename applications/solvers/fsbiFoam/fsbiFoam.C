@@ -15,8 +15,37 @@ Description
 #include "argList.H"
 #include "checkpoint.H"
 #include "recorder.H"
+#include "savedProcesses.H"
 
 using namespace Foam;
+
+//- The arguments; a number of processes that is not the case's is refused with
+//  what to type
+static autoPtr<argList> arguments(int& argc, char**& argv)
+{
+    const bool thrown = FatalError.throwExceptions();
+    autoPtr<argList> args;
+    try
+    {
+        args.reset(new argList(argc, argv));
+    }
+    catch (const error& fault)
+    {
+        FatalError.throwExceptions(thrown);
+        FatalErrorInFunction
+            << fault.message().c_str() << nl << nl
+            << "    To continue from states of another number of processes,"
+            << " set numberOfSubdomains and type   fsbiRedistribute -np "
+            << Pstream::nProcs() << exit(FatalError);
+    }
+    FatalError.throwExceptions(thrown);
+    if (!args->checkRootCase())
+    {
+        FatalError.exit();
+    }
+    return args;
+}
+
 
 int main(int argc, char *argv[])
 {
@@ -36,8 +65,11 @@ int main(int argc, char *argv[])
         "'startFrom latestTime' continues."
     );
 
-    #include "setRootCase.H"
+    const autoPtr<argList> given(arguments(argc, argv));
+    const argList& args = given();
+    #include "foamDlOpenLibs.H"
     fsbi::stateFolder::recover(args.path());
+    fsbi::savedProcesses::check(args);
     #include "createTime.H"
 
     fsbi::stepControl steps(runTime);
