@@ -7,7 +7,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "stateFolder.H"
 #include "IFstream.H"
 #include "OSspecific.H"
-#include "Pstream.H"
+#include "PstreamReduceOps.H"
 #include <map>
 
 namespace Foam
@@ -64,6 +64,17 @@ Foam::fsbi::savedProcesses::savedProcesses(const fileName& path)
 }
 
 
+Foam::label Foam::fsbi::savedProcesses::nFolders() const
+{
+    label n = 0;
+    while (isDir(path_/("processor" + name(n))))
+    {
+        ++n;
+    }
+    return n;
+}
+
+
 Foam::fileNameList Foam::fsbi::savedProcesses::parts
 (
     const fileName& path, const label number
@@ -104,23 +115,24 @@ Foam::word Foam::fsbi::savedProcesses::at
 void Foam::fsbi::savedProcesses::check(const argList& args)
 {
     const label wanted = Pstream::nProcs();
-    label found = wanted;
-    const fileName path(args.globalPath());
-    if (Pstream::master() && !fromStart(path))
+    if (!Pstream::master())
     {
-        const savedProcesses saved(path);
-        const bool single = latest(path).size();
-        if (saved.number() > 1 && (wanted > 1 || !single))
-        {
-            found = saved.number();
-        }
-        else if (saved.number() == 0 && single)
-        {
-            found = 1;
-        }
+        returnReduce(true, andOp<bool>());      // until the master has looked
+        return;
     }
-    Pstream::scatter(found);
-    if (found != wanted && Pstream::master())
+    const fileName path(args.globalPath());
+    const savedProcesses saved(path);
+    const bool single = latest(path).size();
+    label found = wanted;
+    if (saved.number() > 1 && (wanted > 1 || !single))
+    {
+        found = saved.number();
+    }
+    else if (saved.number() == 0 && single)
+    {
+        found = 1;
+    }
+    if (found != wanted && !fromStart(path))
     {
         FatalErrorInFunction
             << "The saved states of this case are of " << processes(found)
@@ -128,4 +140,18 @@ void Foam::fsbi::savedProcesses::check(const argList& args)
             << " the last state, type   fsbiRedistribute -np " << wanted
             << "   To begin anew, remove the states" << exit(FatalError);
     }
+    const label folders = saved.nFolders();
+    if
+    (
+        wanted > 1 && !args.distributed()
+     && (saved.number() ? folders < wanted : folders != wanted)
+    )
+    {
+        FatalErrorInFunction
+            << "The case has " << folders << " folders processor0 ..., the run"
+            << " has " << processes(wanted) << ". Make them by decomposePar,"
+            << " with 'numberOfSubdomains " << wanted << ";' in"
+            << " system/decomposeParDict" << exit(FatalError);
+    }
+    returnReduce(true, andOp<bool>());
 }

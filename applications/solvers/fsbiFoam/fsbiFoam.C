@@ -19,34 +19,6 @@ Description
 
 using namespace Foam;
 
-//- The arguments; a number of processes that is not the case's is refused with
-//  what to type
-static autoPtr<argList> arguments(int& argc, char**& argv)
-{
-    const bool thrown = FatalError.throwExceptions();
-    autoPtr<argList> args;
-    try
-    {
-        args.reset(new argList(argc, argv));
-    }
-    catch (const error& fault)
-    {
-        FatalError.throwExceptions(thrown);
-        FatalErrorInFunction
-            << fault.message().c_str() << nl << nl
-            << "    To continue from states of another number of processes,"
-            << " set numberOfSubdomains and type   fsbiRedistribute -np "
-            << Pstream::nProcs() << exit(FatalError);
-    }
-    FatalError.throwExceptions(thrown);
-    if (!args->checkRootCase())
-    {
-        FatalError.exit();
-    }
-    return args;
-}
-
-
 int main(int argc, char *argv[])
 {
     argList::addNote
@@ -65,11 +37,16 @@ int main(int argc, char *argv[])
         "'startFrom latestTime' continues."
     );
 
-    const autoPtr<argList> given(arguments(argc, argv));
-    const argList& args = given();
-    #include "foamDlOpenLibs.H"
+    // its own check says what to type
+    argList::noCheckProcessorDirectories();
+    argList args(argc, argv);
     fsbi::stateFolder::recover(args.path());
     fsbi::savedProcesses::check(args);
+    if (!args.checkRootCase())
+    {
+        FatalError.exit();
+    }
+    #include "foamDlOpenLibs.H"
     #include "createTime.H"
 
     fsbi::stepControl steps(runTime);

@@ -91,18 +91,6 @@ static savedState find
 }
 
 
-//- Processors' folders of the case
-static label nFolders(const fileName& path)
-{
-    label n = 0;
-    while (isDir(path/("processor" + name(n))))
-    {
-        ++n;
-    }
-    return n;
-}
-
-
 //- The new folders take the place of the old ones; also what is left to do of
 //  that after a kill
 static void exchangeFolders(const fileName& path)
@@ -117,7 +105,7 @@ static void exchangeFolders(const fileName& path)
     if (isDir(made/"processor0"))
     {
         mkDir(older);
-        for (label i = nFolders(path) - 1; i >= 0; --i)
+        for (label i = fsbi::savedProcesses(path).nFolders() - 1; i >= 0; --i)
         {
             const word folder("processor" + name(i));
             mv(path/folder, older/folder);
@@ -139,7 +127,7 @@ static void exchangeFolders(const fileName& path)
 //- Where the processors' old folders go to
 static fileName olderFolder(const fileName& path)
 {
-    const fileName base(path/("savedBy" + name(nFolders(path))));
+    const fileName base(path/("savedBy" + name(fsbi::savedProcesses(path).nFolders())));
     fileName folder(base);
     for (label i = 2; exists(folder); ++i)
     {
@@ -215,30 +203,17 @@ static void redistribute
 }
 
 
-//- What to type next
-static void sayNext(const fileName& path, const label number)
+static void sayNext(const label number)
 {
-    if (number == 1)
+    Info<< "Continue with   ";
+    if (number > 1)
     {
-        Info<< "Continue with   fsbiFoam" << nl << endl;
-        return;
+        Info<< "mpirun -np " << number << " fsbiFoam -parallel" << nl << endl;
     }
-    const fileName file(path/"system"/"decomposeParDict");
-    label written = 0;
-    if (isFile(file))
+    else
     {
-        IFstream is(file);
-        written = dictionary(is).getOrDefault<label>("numberOfSubdomains", 0);
+        Info<< "fsbiFoam" << nl << endl;
     }
-    if (written != number)
-    {
-        Info<< "Set 'numberOfSubdomains " << number << ";' in system/"
-            << "decomposeParDict, where "
-            << (written ? "it is " + name(written) : string("it is missing"))
-            << ", else OpenFOAM refuses the run." << nl;
-    }
-    Info<< "Continue with   mpirun -np " << number << " fsbiFoam -parallel"
-        << nl << endl;
 }
 
 
@@ -279,7 +254,7 @@ int main(int argc, char *argv[])
     {
         Info<< "The state at time " << state.time << " is of " << number
             << " process" << (number > 1 ? "es" : "") << " already" << nl;
-        sayNext(path, number);
+        sayNext(number);
         return 0;
     }
 
@@ -293,7 +268,7 @@ int main(int argc, char *argv[])
         part = part/state.time;
     }
 
-    const label present = nFolders(path);
+    const label present = fsbi::savedProcesses(path).nFolders();
     const bool moves = number > 1 && present > 0 && present != number;
     redistribute
     (
@@ -308,6 +283,6 @@ int main(int argc, char *argv[])
     Info<< "The state at time " << state.time << ", saved by " << state.number
         << " process" << (state.number > 1 ? "es" : "") << ", is there for "
         << number << nl;
-    sayNext(path, number);
+    sayNext(number);
     return 0;
 }

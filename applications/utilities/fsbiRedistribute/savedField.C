@@ -51,6 +51,7 @@ Foam::fsbi::savedField::savedField
 :
     file_(file),
     ofCells_(fieldClass.compare(0, 3, "vol") == 0),
+    dimensions_(dimless),
     patches_(mesh.whole.patchNames.size()),
     lists_(patches_.size())
 {
@@ -72,9 +73,7 @@ Foam::fsbi::savedField::savedField
             << "The internalField of " << file_ << " cannot be read"
             << exit(FatalError);
     }
-    head_ = dicts[0];
-    head_.remove("internalField");
-    head_.remove("boundaryField");
+    dicts[0].readEntry("dimensions", dimensions_);
     forAll(patches_, patchi)
     {
         readPatch(patchi, boundaries, mesh);
@@ -161,10 +160,7 @@ void Foam::fsbi::savedField::writePatch
 
 void Foam::fsbi::savedField::write(const meshPart& part, Ostream& os) const
 {
-    for (const entry& e : head_)
-    {
-        os << e;
-    }
+    os.writeEntry("dimensions", dimensions_);
     os << nl << nl;
     internal_->writeEntry
     (
