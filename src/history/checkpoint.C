@@ -51,20 +51,21 @@ Foam::dictionary Foam::fsbi::checkpoint::read() const
 
 void Foam::fsbi::checkpoint::add
 (
+    const Time& time,
     stateFolder& folder,
     const regIOobject& object
-) const
+)
 {
     // a mesh as text would be another class of lists; what users edit is text
     OStringStream os
     (
         object.local() == polyMesh::meshSubDir ? IOstream::BINARY
-      : isA<dictionary>(object) || time_.value() <= 0 ? IOstream::ASCII
-      : time_.writeFormat()
+      : isA<dictionary>(object) || time.value() <= 0 ? IOstream::ASCII
+      : time.writeFormat()
     );
     os.precision(exactly);
     IOobject io(object);
-    io.instance() = time_.timeName();
+    io.instance() = time.timeName();
     io.writeHeader(os, object.type());
     object.writeData(os);
     IOobject::writeEndDivider(os);

@@ -66,21 +66,51 @@ static bool makeFolders(const fileName& folder)
 } // End namespace Foam
 
 
-Foam::fsbi::stateFolder::stateFolder(const fileName& path, const word& name)
-:
-    path_(path),
-    name_(name),
-    part_(path/(name + partEnding))
+std::string Foam::fsbi::stateFolder::newId()
 {
     long long now =
         std::chrono::system_clock::now().time_since_epoch().count();
     string id(std::to_string(now));
     Pstream::scatter(id);
-    id_ = id;
+    return id;
+}
+
+
+Foam::fsbi::stateFolder::stateFolder(const fileName& path, const word& name)
+:
+    stateFolder(path, name, newId())
+{}
+
+
+Foam::fsbi::stateFolder::stateFolder
+(
+    const fileName& path, const word& name, const std::string& id
+)
+:
+    path_(path),
+    name_(name),
+    part_(path/(name + partEnding)),
+    id_(id)
+{
     if (isDir(part_))
     {
         rmDir(part_);
     }
+}
+
+
+Foam::PtrList<Foam::fsbi::stateFolder> Foam::fsbi::stateFolder::parts
+(
+    const fileNameList& paths, const word& name
+)
+{
+    const std::string id(newId());
+    PtrList<stateFolder> result;
+    for (const fileName& path : paths)
+    {
+        result.append(new stateFolder(path, name, id));
+    }
+    return result;
 }
 
 
@@ -367,6 +397,36 @@ void Foam::fsbi::stateFolder::recover(const fileName& path)
 }
 
 
+void Foam::fsbi::stateFolder::refuse
+(
+    const fileName& folder,
+    const UList<string>& faults,
+    const UList<string>& ids
+)
+{
+    forAll(faults, rank)
+    {
+        const string fault
+        (
+            faults[rank].size() || ids[rank] == ids[0]
+          ? faults[rank]
+          : string
+            (
+                "the processors' parts of " + folder + " were saved at"
+                " different moments"
+            )
+        );
+        if (!fault.empty())
+        {
+            FatalErrorInFunction
+                << "The saved state cannot be used: " << fault.c_str()
+                << ". To start from an earlier time, remove " << folder
+                << exit(FatalError);
+        }
+    }
+}
+
+
 void Foam::fsbi::stateFolder::verify(const fileName& folder)
 {
     std::string id;
@@ -376,20 +436,42 @@ void Foam::fsbi::stateFolder::verify(const fileName& folder)
     ids[Pstream::myProcNo()] = id;
     Pstream::gatherList(faults);
     Pstream::gatherList(ids);
-    forAll(faults, rank)
+    if (Pstream::master())
     {
-        if (faults[rank].empty() && ids[rank] != ids[0])
-        {
-            faults[rank] =
-                "the processors' parts of " + folder + " were saved at"
-                " different moments";
-        }
-        if (Pstream::master() && !faults[rank].empty())
-        {
-            FatalErrorInFunction
-                << "The saved state cannot be used: " << faults[rank].c_str()
-                << ". To start from an earlier time, remove " << folder
-                << exit(FatalError);
-        }
+        refuse(folder, faults, ids);
     }
+}
+
+
+void Foam::fsbi::stateFolder::verify(const fileNameList& folders)
+{
+    List<string> faults(folders.size());
+    List<string> ids(folders.size());
+    forAll(folders, i)
+    {
+        std::string id;
+        faults[i] = fault(folders[i], id);
+        ids[i] = id;
+    }
+    refuse(folders[0], faults, ids);
+}
+
+
+bool Foam::fsbi::stateFolder::isState(const fileName& folder)
+{
+    return isFile(folder/manifestName);
+}
+
+
+Foam::fileNameList Foam::fsbi::stateFolder::files(const fileName& folder)
+{
+    std::string id;
+    DynamicList<record> records;
+    readManifest(folder, id, records);
+    fileNameList names(records.size());
+    forAll(names, i)
+    {
+        names[i] = records[i].name;
+    }
+    return names;
 }

@@ -75,6 +75,20 @@ static face renumbered(const face& f, const labelList& localPoint)
     return result;
 }
 
+
+static void refuseCyclic(const meshLists& whole)
+{
+    for (const dictionary& dict : whole.patchDicts)
+    {
+        if (dict.get<word>("type") == "cyclic")
+        {
+            FatalErrorInFunction
+                << "Cyclic patches work on one processor only; run in serial"
+                << exit(FatalError);
+        }
+    }
+}
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -83,10 +97,15 @@ static face renumbered(const face& f, const labelList& localPoint)
 
 void Foam::fsbi::meshDistribution::select
 (
-    const meshLists& whole, const labelList& cellRank
+    const meshLists& whole, const labelList& cellRank, const label me
 )
 {
-    const label me = Pstream::myProcNo();
+    wholePatchStarts = whole.patchStarts;
+    mesh.patchNames = whole.patchNames;
+    mesh.patchDicts = whole.patchDicts;
+    mesh.bodyPoints = whole.bodyPoints;
+    mesh.failure = whole.failure;
+    refuseCyclic(whole);
     labelList localCell(cellRank.size(), -1);
     DynamicList<label> mine;
     forAll(cellRank, c)
@@ -156,7 +175,7 @@ void Foam::fsbi::meshDistribution::select
         }
         mesh.patchSizes.append(part.faces.size() - mesh.patchStarts[patchi]);
     }
-    addProcessorPatches(whole, cellRank, localCell, localPoint, part);
+    addProcessorPatches(whole, cellRank, me, localCell, localPoint, part);
     mesh.faces.transfer(part.faces);
     mesh.owner.transfer(part.owner);
     mesh.neighbour.transfer(part.neighbour);
@@ -168,12 +187,12 @@ void Foam::fsbi::meshDistribution::addProcessorPatches
 (
     const meshLists& whole,
     const labelList& cellRank,
+    const label me,
     const labelList& localCell,
     const labelList& localPoint,
     growingFaces& part
 )
 {
-    const label me = Pstream::myProcNo();
     std::map<label, DynamicList<label>> shared;
     forAll(whole.neighbour, f)
     {
@@ -240,21 +259,16 @@ Foam::fsbi::meshDistribution::meshDistribution
     }
     Pstream::scatter(all);
     Pstream::scatter(ranks);
-    for (const dictionary& dict : all.patchDicts)
-    {
-        if (dict.get<word>("type") == "cyclic")
-        {
-            FatalErrorInFunction
-                << "Cyclic patches work on one processor only; run in serial"
-                << exit(FatalError);
-        }
-    }
-    wholePatchStarts = all.patchStarts;
-    mesh.patchNames = all.patchNames;
-    mesh.patchDicts = all.patchDicts;
-    mesh.bodyPoints = all.bodyPoints;
-    mesh.failure = all.failure;
-    select(all, ranks);
+    select(all, ranks, Pstream::myProcNo());
+}
+
+
+Foam::fsbi::meshDistribution::meshDistribution
+(
+    const meshLists& whole, const labelList& cellRank, const label rank
+)
+{
+    select(whole, cellRank, rank);
 }
 
 

@@ -22,7 +22,78 @@ static fileName folderOf(const word& region)
       : region/polyMesh::meshSubDir;
 }
 
+//- Numbers of a part's cells, faces and points in the whole mesh, as a state
+//  has them and as decomposePar writes them
+static const wordList numberNames({"wholeCells", "wholeFaces", "wholePoints"});
+static const wordList decomposeParNames
+(
+    {"cellProcAddressing", "faceProcAddressing", "pointProcAddressing"}
+);
+
+static IOobject numbersObject
+(
+    const word& name, const word& instance, const fvMesh& mesh
+)
+{
+    return IOobject
+    (
+        name, instance, polyMesh::meshSubDir, mesh, IOobject::MUST_READ,
+        IOobject::NO_WRITE
+    );
+}
+
+static void keep(const fvMesh& mesh, const word& name, labelList&& numbers)
+{
+    IOobject io(numbersObject(name, mesh.time().timeName(), mesh));
+    io.readOpt() = IOobject::NO_READ;
+    mesh.thisDb().store(new labelIOList(io, std::move(numbers)));
+}
+
+//- Of a mesh that was read, if they are there
+static void readNumbers(const fvMesh& mesh, const word& instance)
+{
+    forAll(numberNames, i)
+    {
+        for (const word& name : {numberNames[i], decomposeParNames[i]})
+        {
+            IOobject io(numbersObject(name, instance, mesh));
+            io.registerObject() = false;
+            if
+            (
+                isFile(io.objectPath())
+             && !mesh.thisDb().found(numberNames[i])
+             && (name == numberNames[i] || instance == mesh.time().constant())
+            )
+            {
+                labelList numbers{labelIOList(io)};
+                if (name == "faceProcAddressing")
+                {
+                    for (label& f : numbers)
+                    {
+                        f = mag(f) - 1;     // the sign tells the owner's side
+                    }
+                }
+                keep(mesh, numberNames[i], std::move(numbers));
+            }
+        }
+    }
+}
+
 } // End namespace Foam
+
+
+void Foam::fsbi::setNumbers
+(
+    const fvMesh& mesh,
+    const labelList& cells,
+    const labelList& faces,
+    const labelList& points
+)
+{
+    keep(mesh, "wholeCells", labelList(cells));
+    keep(mesh, "wholeFaces", labelList(faces));
+    keep(mesh, "wholePoints", labelList(points));
+}
 
 
 bool Foam::fsbi::hasRegionMesh(const Time& time, const word& region)
@@ -39,10 +110,15 @@ Foam::autoPtr<Foam::fvMesh> Foam::fsbi::readRegionMesh
     const word& instance
 )
 {
-    return autoPtr<fvMesh>::New
+    auto mesh = autoPtr<fvMesh>::New
     (
         IOobject(region, instance, time, IOobject::MUST_READ)
     );
+    if (Pstream::parRun())
+    {
+        readNumbers(mesh(), instance);
+    }
+    return mesh;
 }
 
 
@@ -71,6 +147,10 @@ Foam::autoPtr<Foam::fvMesh> Foam::fsbi::makeRegionMesh
     mesh->fvSchemes::read();
     mesh->fvSolution::readOpt() = IOobject::READ_IF_PRESENT;
     mesh->fvSolution::read();
+    if (Pstream::parRun())
+    {
+        setNumbers(mesh(), part.cells, part.faces, part.points);
+    }
     return mesh;
 }
 
@@ -97,6 +177,13 @@ void Foam::fsbi::writeMesh
     for (const word name : {"faces", "owner", "neighbour", "boundary"})
     {
         add(mesh.thisDb().lookupObject<regIOobject>(name));
+    }
+    for (const word& name : numberNames)
+    {
+        if (mesh.thisDb().foundObject<labelIOList>(name))
+        {
+            add(mesh.thisDb().lookupObject<labelIOList>(name));
+        }
     }
 }
 
@@ -131,14 +218,14 @@ Foam::fsbi::wholeMesh::wholeMesh(const Time& time, const word& region)
 }
 
 
-Foam::fsbi::meshLists Foam::fsbi::wholeMesh::lists() const
+Foam::fsbi::meshLists Foam::fsbi::wholeMesh::lists(const polyMesh& mesh)
 {
     meshLists lists;
-    lists.points = mesh_->points();
-    lists.faces = mesh_->faces();
-    lists.owner = mesh_->faceOwner();
-    lists.neighbour = mesh_->faceNeighbour();
-    for (const polyPatch& patch : mesh_->boundaryMesh())
+    lists.points = mesh.points();
+    lists.faces = mesh.faces();
+    lists.owner = mesh.faceOwner();
+    lists.neighbour = mesh.faceNeighbour();
+    for (const polyPatch& patch : mesh.boundaryMesh())
     {
         OStringStream os;
         os.precision(17);

@@ -7,6 +7,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "IOField.H"
 #include "Time.H"
 
+// fsbiRedistribute knows by these names which part of the mesh a number is of
 template<class Visitor>
 void Foam::fsbi::solidRegion::visitState(const Visitor& visit)
 {

@@ -16,6 +16,7 @@ Description
 #include "checkpoint.H"
 #include "dryRun.H"
 #include "recorder.H"
+#include "savedProcesses.H"
 
 using namespace Foam;
 
@@ -44,8 +45,16 @@ int main(int argc, char *argv[])
         " time and memory from two steps; write nothing"
     );
 
-    #include "setRootCase.H"
+    // its own check says what to type
+    argList::noCheckProcessorDirectories();
+    argList args(argc, argv);
     fsbi::stateFolder::recover(args.path());
+    fsbi::savedProcesses::check(args);
+    if (!args.checkRootCase())
+    {
+        FatalError.exit();
+    }
+    #include "foamDlOpenLibs.H"
     #include "createTime.H"
 
     fsbi::checkpoint states(runTime);
