@@ -30,7 +30,7 @@ void Foam::fsbi::dryRun::noteDefaults()
 }
 
 
-void Foam::fsbi::dryRun::tryStep(scene& scene, stepControl& steps)
+void Foam::fsbi::dryRun::tryStep(scene& scene)
 {
     const clockTime clock;
     const scalar meshing = scene.clocks().seconds("meshing");
@@ -38,13 +38,13 @@ void Foam::fsbi::dryRun::tryStep(scene& scene, stepControl& steps)
     if (!scene.advance())
     {
         scene.rewind();
-        steps.reject(scene);
+        control_.reject(scene);
         return;
     }
     scene.endStep();
     secondsPerStep_ = clock.elapsedTime()
       - (scene.clocks().seconds("meshing") - meshing);
-    steps.accept(scene);
+    control_.accept(scene);
     ++steps_;
 }
 
@@ -108,18 +108,17 @@ void Foam::fsbi::dryRun::tellCost(scene& scene) const
 void Foam::fsbi::dryRun::run(const dictionary& saved)
 {
     noteDefaults();
-    stepControl steps(time_);
     scene scene(time_, saved);
     if (saved.size())
     {
-        steps.restore(saved.subDict("stepControl"));
+        control_.restore(saved.subDict("stepControl"));
     }
     tellScene(scene);
     tellDefaults();
     Info<< nl << "Steps tried" << endl;
-    while (steps_ < stepsTried && steps.next(scene))
+    while (steps_ < stepsTried && control_.next(scene))
     {
-        tryStep(scene, steps);
+        tryStep(scene);
     }
     tellCost(scene);
     checkedDictionary::tellDefaults(nullptr);

@@ -57,6 +57,7 @@ int main(int argc, char *argv[])
     #include "foamDlOpenLibs.H"
     #include "createTime.H"
 
+    fsbi::stepControl steps(runTime);
     fsbi::checkpoint states(runTime);
     const dictionary saved(states.read());
     const bool restarted = saved.size();
@@ -64,11 +65,10 @@ int main(int argc, char *argv[])
     fsbi::petscSession petsc;
     if (args.found("dry-run"))
     {
-        fsbi::dryRun(runTime).run(saved);
+        fsbi::dryRun(runTime, steps).run(saved);
         return 0;
     }
 
-    fsbi::stepControl steps(runTime);
     fsbi::scene scene(runTime, saved);
     if (restarted)
     {
