@@ -13,6 +13,14 @@ const Foam::wordList Foam::fsbi::rigidBody::integrators
     "monolithic", "explicitEuler", "semiImplicit"
 });
 
+namespace
+{
+
+//- Change of the turn from one step to the next that is no jump [rad]
+const Foam::scalar largestJump = 0.5;
+
+} // End anonymous namespace
+
 
 Foam::fsbi::rigidBody::rigidBody
 (
@@ -201,6 +209,16 @@ Foam::fsbi::sixVector Foam::fsbi::rigidBody::momentum(const state& s) const
 }
 
 
+bool Foam::fsbi::rigidBody::hasHistory() const
+{
+    const vector jump
+    (
+        oldStep_*(angular(old_.velocity) - angular(older_.velocity))
+    );
+    return accepted_ > 0 && mag(jump) < largestJump;
+}
+
+
 Foam::FixedList<Foam::scalar, 3> Foam::fsbi::rigidBody::weights() const
 {
     if (!hasHistory())
@@ -219,7 +237,7 @@ void Foam::fsbi::rigidBody::advance(const scalar dt)
 {
     step_ = dt;
     sixVector mean(old_.velocity);
-    if (accepted_ > 1)
+    if (accepted_ > 1 && hasHistory())
     {
         const scalar r = 0.5*dt/oldStep_;
         forAll(mean, k)
@@ -230,6 +248,10 @@ void Foam::fsbi::rigidBody::advance(const scalar dt)
     else if (!hasHistory() && solved_)
     {
         mean = now_.velocity;
+    }
+    else if (!hasHistory() && accepted_ > 0)
+    {
+        mean = sixVector(scalar(0));
     }
     now_.centre = old_.centre + dt*linear(mean);
     now_.orientation =
