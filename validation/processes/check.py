@@ -25,7 +25,7 @@ def tables(history):
             i for i, c in enumerate(history[path].columns)
             if c not in ("time", "seconds")]]
         for path in history.paths()
-        if path.startswith(("bodies/", "elasticBodies/", "effects/", "bonds/"))
+        if path != "cost"
     }
 
 
