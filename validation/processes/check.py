@@ -3,8 +3,11 @@
 """Compare the histories of every scene with the run on one process; write
 results.csv. A difference is relative to the largest number of its table, of
 forces and torques to the largest of all bodies and at least to Stokes' drag
-6 pi mu a U and torque 8 pi mu a^3 omega: on free bodies they cancel."""
+6 pi mu a U and torque 8 pi mu a^3 omega: on free bodies they cancel. A centre's
+is relative to at least the radius, energy and reaction of a solid body to at
+least those of a strain of 0.1 %."""
 
+import glob
 import math
 import re
 import sys
@@ -32,6 +35,9 @@ def tables(history):
 
 def scale_of(path):
     """What is measured by one scale: a table, or all forces or torques."""
+    for name in ("/reaction/", "/energy", "/centre"):
+        if name in path:
+            return name
     if path.endswith(("/fluidForce", "/tether")):
         return "/force/"
     for load in ("/force/", "/torque/"):
@@ -68,11 +74,25 @@ def stokes(run, values):
             "/torque/": 8 * math.pi * mu * a**3 * fastest("/angularVelocity")}
 
 
+def strained(run):
+    """Energy and force at a strain of 0.1 %, and the radius."""
+    text = ""
+    for file in [f"{run.folder}/constant/bodies", *glob.glob(f"{run.folder}/constant/*/material")]:
+        with open(file) as opened:
+            text += opened.read()
+    radius = re.search(r"radius\s+([0-9.e+-]+)", text)
+    modulus = re.search(r"^E\s+([0-9.e+-]+)", text, re.M)
+    if not radius or not modulus:
+        return {}
+    a, E = float(radius[1]), float(modulus[1])
+    return {"/energy": 1e-6 * E * a**3, "/reaction/": 1e-3 * E * a**2, "/centre": a}
+
+
 def difference(one, other):
     first, second = tables(one.history), tables(other.history)
     if first.keys() != second.keys() or not first:
         return math.nan
-    scales = stokes(one, first)
+    scales = stokes(one, first) | strained(one)
     for path, table in first.items():
         size = np.max(np.abs(table), initial=0)
         scales[scale_of(path)] = max(size, scales.get(scale_of(path), 0))
