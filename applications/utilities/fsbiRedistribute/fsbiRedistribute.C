@@ -28,7 +28,6 @@ Usage
 #include "argList.H"
 #include "savedRegion.H"
 #include "savedProcesses.H"
-#include "IFstream.H"
 #include "HashSet.H"
 #include "OSspecific.H"
 #include <fstream>
