@@ -347,7 +347,7 @@ def zeroFlow():
     return scene, more
 
 
-@case("a magnet in a field that would turn it in 1e-6 of a step: lies along it, energy only lost")
+@case("a magnet in a field that would turn it in 1e-6 of a step: lies along it, energy only lost", quick=True)
 def hugeTorque():
     effects = dict(magnetics=dict(
         fields=dict(main=dict(type="uniform", B=(10, 0, 0))),
