@@ -148,5 +148,6 @@ for scene in sys.argv[1:]:
 results.write()
 with open("table.md", "w") as file:
     file.write("Largest difference from the run on one process, relative to its table's"
-               " largest number;\nrestart: from the middle on two processes; 2 to N: from"
-               " there on N. Written by check.py.\n\n" + "\n".join(lines) + "\n")
+               " largest number\n(what cancels: to scales of the scene, see check.py);"
+               " restart: from the middle on two\nprocesses; 2 to N: from there on N."
+               " Written by check.py.\n\n" + "\n".join(lines) + "\n")
