@@ -28,17 +28,11 @@ extern "C" void onInterrupt(int signal)
     }
 }
 
-//- Steps grow by no more than this factor
-const Foam::scalar maxGrowth = 1.5;
-
 //- Turn of a body in a step that is told where the user gives the step, rad
 const Foam::scalar unresolvedTurn = 1;
 
 //- Steps, each half as long as the one before, to end an interrupted run with
 const Foam::label maxLastTries = 3;
-
-//- Part of a step by which times may differ and still be the same
-const Foam::scalar sameTime = 1e-6;
 
 //- Insertions, removals and exchanges that turn one word into the other
 int editDistance(const std::string& a, const std::string& b)
@@ -188,140 +182,6 @@ void Foam::fsbi::stepControl::checkSpelling() const
             }
         }
     }
-}
-
-
-Foam::label Foam::fsbi::stepControl::outputsUntil(const scalar time) const
-{
-    return periodicOutput()
-      ? label
-        (
-            time/entry("writeInterval", GREAT)
-          + sameTime*min
-            (
-                time_.deltaTValue()/entry("writeInterval", GREAT), scalar(1)
-            )
-        )
-      : 0;
-}
-
-
-Foam::scalar Foam::fsbi::stepControl::smallestWanted(const scene& scene)
-{
-    const scalar maxRotation = entry("maxRotation", 0.2);
-    const scalar maxTravel = entry("maxTravel", 0.2);
-    scalar dt = GREAT, largest = 0;
-    const auto require = [&](const scalar wanted, const string& reason)
-    {
-        if (wanted < dt)
-        {
-            dt = wanted;
-            limit_ = reason;
-        }
-    };
-    require(entry("maxDeltaT", GREAT), "maxDeltaT");
-    const bool first = time_.timeIndex() == 0;
-    require(first ? chosen_ : maxGrowth*chosen_, first ? "deltaT" : "growth");
-    const auto move = [&]
-    (
-        const word& name, const sixVector& v, const scalar radius
-    )
-    {
-        largest = max(largest, radius);
-        require
-        (
-            maxRotation/max(mag(angular(v)), VSMALL), "rotation of " + name
-        );
-        require
-        (
-            maxTravel*radius/max(mag(linear(v)), VSMALL), "travel of " + name
-        );
-    };
-    for (const rigidBody& body : scene.bodies())
-    {
-        move(body.name(), body.now().velocity, body.radius());
-    }
-    for (const prescribedBody& body : scene.prescribed())
-    {
-        move(body.name(), body.now().velocity, body.radius());
-    }
-    for (label i = 0; scene.hasFluid() && i < scene.solids().size(); ++i)
-    {
-        const wettedSurface& surface = scene.solids()[i].surface();
-        move(surface.name(), surface.motion(), surface.radius());
-    }
-    const scalar maxApproach = entry("maxApproach", 0);
-    if (maxApproach > 0)
-    {
-        // gaps that a step could close by that part, at the bodies' speeds
-        string names;
-        const scalar reach = 2*maxTravel*largest/maxApproach;
-        const scalar contact = scene.timeToContact(reach, names);
-        require(max(maxApproach*contact, shortest()), "approach of " + names);
-    }
-    if (scene.effects())
-    {
-        string reason;
-        const scalar wanted = scene.effects()->longestStep(reason);
-        require(max(wanted, shortest()), reason);
-    }
-    return dt;
-}
-
-
-Foam::scalar Foam::fsbi::stepControl::fitted
-(
-    const scene& scene, const scalar dt
-) const
-{
-    const scalar now = time_.value();
-    scalar target = time_.endTime().value();
-    if (periodicOutput())
-    {
-        const scalar interval = entry("writeInterval", GREAT);
-        const scalar nextOutput = (outputs_ + 1)*interval;
-        // not onto a remainder before the end time
-        if (nextOutput < target - sameTime*dt)
-        {
-            target = nextOutput;
-        }
-    }
-    if (scene.effects())
-    {
-        const scalar instant = scene.effects()->nextInstant();
-        if (instant < target - sameTime*dt)
-        {
-            target = instant;
-        }
-    }
-    const scalar steps = (target - now)/dt;
-    return
-        steps > sameTime && steps < labelMax
-      ? (target - now)/std::ceil(steps - sameTime)
-      : dt;
-}
-
-
-void Foam::fsbi::stepControl::choose(const scene& scene)
-{
-    if (adjustable())
-    {
-        chosen_ = smallestWanted(scene);
-        time_.setDeltaT(fitted(scene, chosen_), false);
-        return;
-    }
-    const scalar deltaT = time_.controlDict().get<scalar>("deltaT");
-    if (time_.value() < gridTime_ - sameTime*deltaT)
-    {
-        limit_ = "a rejected step";
-    }
-    else
-    {
-        gridTime_ = -GREAT;
-        chosen_ = deltaT;
-        limit_ = "deltaT";
-    }
-    time_.setDeltaT(chosen_, false);
 }
 
 

@@ -6,8 +6,8 @@ Application
     fsbiFoam
 
 Description
-    Cells and microrobots in microvascular flow: Stokes flow coupled with
-    rigid bodies on a conformal moving mesh; elastic bodies.
+    Cells and microrobots in microvascular flow: Stokes flow, rigid and elastic
+    bodies on a conformal moving mesh, and the effects of constant/effects.
 
 \*---------------------------------------------------------------------------*/
 
@@ -24,12 +24,13 @@ int main(int argc, char *argv[])
 {
     argList::addNote
     (
-        "Cells and microrobots in microvascular flow: Stokes flow and rigid"
-        " bodies\non a conformal moving mesh; elastic bodies without flow.\n\n"
+        "Cells and microrobots in microvascular flow: rigid and elastic bodies"
+        " in Stokes\nflow on a conformal moving mesh, bonds, magnets.\n\n"
         "    blockMesh && fsbiFoam                  in a case folder\n"
         "    blockMesh && decomposePar && mpirun -np 2 fsbiFoam -parallel\n\n"
         "Reads constant/bodies, constant/fluid/material, 0/fluid/U and\n"
-        "system/{controlDict,remeshDict,fluid/fvSolution}; of an elastic body"
+        "system/{controlDict,remeshDict,fluid/fvSolution}; if there is one"
+        " constant/effects;\nof an elastic body"
         " constant/<body>/material,\n0/<body>/D, system/<body>/{fvSchemes,"
         "fvSolution}. Writes time folders with the regions\n(fluid: U, p;"
         " <body>: D, sigma ...), postProcessing/history.h5 and"

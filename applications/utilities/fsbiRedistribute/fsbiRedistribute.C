@@ -246,7 +246,7 @@ int main(int argc, char *argv[])
     {
         FatalErrorInFunction
             << "There is no saved state "
-            << (at < 0 ? string("above time 0") : "at time " + name(at))
+            << (at < 0 ? "above time 0" : ("at time " + name(at)).c_str())
             << " in " << path << exit(FatalError);
     }
     if (state.number == number)
