@@ -16,8 +16,11 @@ const Foam::wordList Foam::fsbi::rigidBody::integrators
 namespace
 {
 
-//- Change of the turn from one step to the next that is no jump [rad]
+//- Change of the turn from one step to the next that is no jump [rad], and
+//  how many steps are not extrapolated after one: a body that has been turned
+//  into a field within a step stops in the next
 const Foam::scalar largestJump = 0.5;
+const Foam::label stepsAfterJump = 2;
 
 } // End anonymous namespace
 
@@ -211,11 +214,7 @@ Foam::fsbi::sixVector Foam::fsbi::rigidBody::momentum(const state& s) const
 
 bool Foam::fsbi::rigidBody::hasHistory() const
 {
-    const vector jump
-    (
-        oldStep_*(angular(old_.velocity) - angular(older_.velocity))
-    );
-    return accepted_ > 0 && mag(jump) < largestJump;
+    return accepted_ > 0;
 }
 
 
@@ -237,7 +236,7 @@ void Foam::fsbi::rigidBody::advance(const scalar dt)
 {
     step_ = dt;
     sixVector mean(old_.velocity);
-    if (accepted_ > 1 && hasHistory())
+    if (accepted_ > 1)
     {
         const scalar r = 0.5*dt/oldStep_;
         forAll(mean, k)
@@ -249,7 +248,7 @@ void Foam::fsbi::rigidBody::advance(const scalar dt)
     {
         mean = now_.velocity;
     }
-    else if (!hasHistory() && accepted_ > 0)
+    else if (accepted_ < 0)
     {
         mean = sixVector(scalar(0));
     }
@@ -411,9 +410,13 @@ void Foam::fsbi::rigidBody::rewind()
 
 void Foam::fsbi::rigidBody::endStep()
 {
+    const vector jump
+    (
+        step_*(angular(now_.velocity) - angular(old_.velocity))
+    );
+    accepted_ = mag(jump) > largestJump ? -stepsAfterJump : accepted_ + 1;
     older_ = old_;
     oldStep_ = step_;
-    ++accepted_;
 }
 
 
