@@ -13,15 +13,16 @@ Foam::fsbi::meshLists Foam::fsbi::firstGoodMesh
     const scalar bearable
 )
 {
-    // the repeatable algorithm goes first where it is asked for
+    // HXT, which is not repeatable, only where it is asked for: a run continued
+    // from a saved state must get the meshes that the first one got
     const int Delaunay = 1, HXT = 10;
-    const bool preferHXT = controls.algorithm == "HXT";
+    const int wanted = controls.algorithm == "HXT" ? HXT : Delaunay;
     const int n = controls.optimise;
     const meshingAttempt attempts[] =
     {
-        {preferHXT ? HXT : Delaunay, 1, n, 1},
+        {wanted, 1, n, 1},
         {Delaunay, 2, n + 1, 1.6},
-        {HXT, 3, n + 1, 1},
+        {wanted, 3, n + 1, 1},
         {Delaunay, 4, n + 2, 2.5}
     };
     remeshControls limits(controls);
