@@ -10,6 +10,10 @@ namespace Foam
 namespace fsbi
 {
 
+//- Residual, rows measured as velocities, that is rounding only: of a fluid
+//  that has come to rest no part of it can be taken away
+static const PetscReal negligible = 1e-30;
+
 //- A guess may be worse than nothing by this factor: that of a fluid that has
 //  come to rest, for one. PETSc would give up at 1e5
 static const scalar farGuess = 1e30;
@@ -144,7 +148,7 @@ Foam::fsbi::matrixFreeKrylov::outcome Foam::fsbi::matrixFreeKrylov::solve
     (
         KSPSetTolerances
         (
-            krylov_, tolerance, PETSC_DEFAULT, farGuess, maxIterations
+            krylov_, tolerance, negligible, farGuess, maxIterations
         )
     );
     petscCheck(KSPSolve(krylov_, rhs_, unknown_));
@@ -160,5 +164,9 @@ Foam::fsbi::matrixFreeKrylov::outcome Foam::fsbi::matrixFreeKrylov::solve
     KSPGetResidualNorm(krylov_, &norm);
     KSPGetConvergedReason(krylov_, &reason);
     VecNorm(rhs_, NORM_2, &rhsNorm);
-    return {label(iterations), norm/max(rhsNorm, VSMALL), reason > 0};
+    // without a right-hand side there is nothing to measure a residual by
+    const bool converged = reason > 0;
+    const scalar residual =
+        rhsNorm > negligible ? norm/rhsNorm : converged ? 0 : GREAT;
+    return {label(iterations), residual, converged};
 }
