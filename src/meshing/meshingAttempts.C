@@ -16,14 +16,13 @@ Foam::fsbi::meshLists Foam::fsbi::firstGoodMesh
     // HXT, which is not repeatable, only where it is asked for: a run continued
     // from a saved state must get the meshes that the first one got
     const int Delaunay = 1, HXT = 10;
-    const int wanted = controls.algorithm == "HXT" ? HXT : Delaunay;
+    const int first = controls.algorithm == "HXT" ? HXT : Delaunay;
     const int n = controls.optimise;
     const meshingAttempt attempts[] =
     {
-        {wanted, 1, n, 1},
+        {first, 1, n, 1},
         {Delaunay, 2, n + 1, 1.6},
-        {wanted, 3, n + 1, 1},
-        {Delaunay, 4, n + 2, 2.5}
+        {Delaunay, 3, n + 2, 2.5}
     };
     remeshControls limits(controls);
     limits.maxNonOrthogonality -= 5;

@@ -90,9 +90,9 @@ void Foam::fsbi::setNumbers
     const labelList& points
 )
 {
-    keep(mesh, "wholeCells", labelList(cells));
-    keep(mesh, "wholeFaces", labelList(faces));
-    keep(mesh, "wholePoints", labelList(points));
+    keep(mesh, numberNames[0], labelList(cells));
+    keep(mesh, numberNames[1], labelList(faces));
+    keep(mesh, numberNames[2], labelList(points));
 }
 
 

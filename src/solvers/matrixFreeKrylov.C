@@ -10,10 +10,6 @@ namespace Foam
 namespace fsbi
 {
 
-//- Residual, rows measured as velocities, that is rounding only: of a fluid
-//  that has come to rest no part of it can be taken away
-static const PetscReal negligible = 1e-30;
-
 //- A guess may be worse than nothing by this factor: that of a fluid that has
 //  come to rest, for one. PETSc would give up at 1e5
 static const scalar farGuess = 1e30;
@@ -140,6 +136,15 @@ Foam::fsbi::matrixFreeKrylov::outcome Foam::fsbi::matrixFreeKrylov::solve
     VecGetArray(rhs_, &values);
     std::copy_n(rhs, n, values);
     VecRestoreArray(rhs_, &values);
+    PetscReal rhsNorm;
+    VecNorm(rhs_, NORM_2, &rhsNorm);
+    if (rhsNorm < VSMALL)
+    {
+        // at rest: from another guess no tolerance would be reached, as it is
+        // relative to nothing
+        std::fill_n(x, n, 0);
+        return {0, 0, true};
+    }
     VecGetArray(unknown_, &values);
     std::copy_n(x, n, values);
     VecRestoreArray(unknown_, &values);
@@ -148,7 +153,7 @@ Foam::fsbi::matrixFreeKrylov::outcome Foam::fsbi::matrixFreeKrylov::solve
     (
         KSPSetTolerances
         (
-            krylov_, tolerance, negligible, farGuess, maxIterations
+            krylov_, tolerance, PETSC_DEFAULT, farGuess, maxIterations
         )
     );
     petscCheck(KSPSolve(krylov_, rhs_, unknown_));
@@ -158,15 +163,10 @@ Foam::fsbi::matrixFreeKrylov::outcome Foam::fsbi::matrixFreeKrylov::solve
     VecRestoreArray(unknown_, &values);
 
     PetscInt iterations;
-    PetscReal norm, rhsNorm;
+    PetscReal norm;
     KSPConvergedReason reason;
     KSPGetIterationNumber(krylov_, &iterations);
     KSPGetResidualNorm(krylov_, &norm);
     KSPGetConvergedReason(krylov_, &reason);
-    VecNorm(rhs_, NORM_2, &rhsNorm);
-    // without a right-hand side there is nothing to measure a residual by
-    const bool converged = reason > 0;
-    const scalar residual =
-        rhsNorm > negligible ? norm/rhsNorm : converged ? 0 : GREAT;
-    return {label(iterations), residual, converged};
+    return {label(iterations), norm/rhsNorm, reason > 0};
 }

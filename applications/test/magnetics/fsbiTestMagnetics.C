@@ -24,6 +24,7 @@ int main()
     Foam::fsbi::checkEffect(c);
     Foam::fsbi::checkSteps(c);
     Foam::fsbi::checkSteering(c);
+    Foam::fsbi::checkLeastSquares(c);
     Foam::fsbi::checkDesign(c);
     return c.finish();
 }
