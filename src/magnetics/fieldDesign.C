@@ -325,21 +325,6 @@ void Foam::fsbi::fieldDesign::descend
 }
 
 
-Foam::fsbi::fieldDesign::solution Foam::fsbi::fieldDesign::madeBy
-(
-    const task& t, const scalarField& y
-) const
-{
-    const fieldHere f(fieldOf(t, y));
-    const vector m(law_.moment(volume_, t.R, f.B));
-    const vector F(joule_*(f.gradient & m)), T(joule_*(m ^ f.B));
-    return
-    {
-        y, f, F, T, load(F - t.force, T - t.torque, radius_)/largest_
-    };
-}
-
-
 Foam::fsbi::fieldDesign::solution Foam::fsbi::fieldDesign::from
 (
     const task& t, scalarField y
@@ -365,6 +350,21 @@ Foam::scalar Foam::fsbi::fieldDesign::radius
 )
 {
     return cbrt(0.75*max(volume, 0)/constant::mathematical::pi)*u.metre();
+}
+
+
+Foam::fsbi::fieldDesign::solution Foam::fsbi::fieldDesign::madeBy
+(
+    const task& t, const scalarField& y
+) const
+{
+    const fieldHere f(fieldOf(t, y));
+    const vector m(law_.moment(volume_, t.R, f.B));
+    const vector F(joule_*(f.gradient & m)), T(joule_*(m ^ f.B));
+    return
+    {
+        y, f, F, T, load(F - t.force, T - t.torque, radius_)/largest_
+    };
 }
 
 
@@ -401,6 +401,11 @@ Foam::fsbi::fieldDesign::solution Foam::fsbi::fieldDesign::solve
         {
             best = s;
         }
+    }
+    if (!fresh && sumProd(best.strengths, startStrengths) < 0)
+    {
+        const solution turned(madeBy(t, -best.strengths));
+        return turned.residual <= max(best.residual, attained) ? turned : best;
     }
     return best;
 }

@@ -83,7 +83,8 @@ struct trial
     //- Of a body of 4/3 um^3
     fieldDesign::solution solve
     (
-        const vector& F, const vector& T, const vector& bias = Zero
+        const vector& F, const vector& T, const vector& bias = Zero,
+        const scalarField& start = scalarField()
     )
     {
         task.force = F;
@@ -94,7 +95,7 @@ struct trial
         return fieldDesign
         (
             law(), volume, u, largest, bias, fields
-        ).solve(task);
+        ).solve(task, start);
     }
 };
 
@@ -153,6 +154,12 @@ static void checkLeastNorm(checks& c)
       + mag(induced.made.B ^ F)/(mag(F)*b), 1e-4
     );
     c.checkBelow("soft sphere: the load is made", induced.residual, 1e-6);
+    const scalarField turned(-0.9*induced.strengths);
+    c.checkBelow
+    (
+        "soft sphere: of B and -B the nearer to the start",
+        mag(soft.solve(F, Zero, Zero, turned).made.B + induced.made.B)/b, 1e-4
+    );
 
     // saturated: any field, the bias decides
     trial iron

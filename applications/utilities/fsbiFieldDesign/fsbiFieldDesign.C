@@ -62,51 +62,6 @@ static scalar largestLoad(const fsbi::course& wanted, const scalar radius)
 }
 
 
-static fsbi::fieldDesign::task taskOf
-(
-    const fsbi::designEntries& entries, const fsbi::wantedLoad& w
-)
-{
-    fsbi::fieldDesign::task t;
-    for (const fsbi::drivenField& field : entries.driven())
-    {
-        for (label i = 0; i < field.size(); ++i)
-        {
-            t.sources.append
-            (
-                {field.unit(i, w.x), field.limit(), field.scale()}
-            );
-        }
-    }
-    t.given = entries.given(w.x, w.time);
-    t.R = w.R;
-    t.force = w.force;
-    t.torque = w.torque;
-    return t;
-}
-
-
-static void checkAttained
-(
-    const fsbi::designEntries& entries, const fsbi::wantedLoad& w,
-    const fsbi::fieldDesign::solution& s
-)
-{
-    if (s.residual > entries.tolerance() && !entries.report())
-    {
-        FatalIOErrorInFunction(entries.dict())
-            << "At time " << w.time << " the fields cannot make the load"
-            << " within their limits: wanted are the force " << w.force
-            << " and torque " << w.torque << ", made are " << s.force
-            << " and " << s.torque << ", " << s.residual
-            << " of the largest load are missing, more than the tolerance "
-            << entries.tolerance() << ". More or other coils, higher limits,"
-            << " a 'bias', or 'unattainable report;' to do what can be done"
-            << exit(FatalIOError);
-    }
-}
-
-
 int main(int argc, char *argv[])
 {
     argList::noParallel();
@@ -145,15 +100,10 @@ int main(int argc, char *argv[])
         entries.law(), volume, entries.inUnits(), largest, entries.bias(),
         entries.lawEntries()
     );
-    List<fsbi::fieldDesign::solution> solutions(wanted.size());
-    scalarField strengths;
-    forAll(wanted, n)
+    const fsbi::designed result
     {
-        solutions[n] = design.solve(taskOf(entries, wanted[n]), strengths);
-        strengths = solutions[n].strengths;
-        checkAttained(entries, wanted[n], solutions[n]);
-    }
-    const fsbi::designed result{entries, wanted, solutions};
+        entries, fsbi::solveCourse(entries, design, wanted)
+    };
     const fileName folder(runTime.globalPath()/"constant"/"fieldDesign");
     const fileName csv
     (
