@@ -15,6 +15,10 @@ namespace Foam
 namespace fsbi
 {
 
+//- Degrees above its limit that a mesh may have for want of a better one: this
+//  one does not wear
+static const scalar moreBorne = 5;
+
 static void checkSurface(const word& name, const bodySurface& surface)
 {
     surface.check(name);
@@ -132,7 +136,8 @@ Foam::fsbi::meshLists Foam::fsbi::bodyMesher::fill
             [&](const meshingAttempt& settings)
             {
                 return meshOnce(surface, std::cref(wanted), settings);
-            }
+            },
+            controls_.maxNonOrthogonality + moreBorne
         )
     );
     if (mesh.valid())

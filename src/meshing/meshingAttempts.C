@@ -24,8 +24,6 @@ Foam::fsbi::meshLists Foam::fsbi::firstGoodMesh
         {Delaunay, 2, n + 1, 1.6},
         {Delaunay, 3, n + 2, 2.5}
     };
-    remeshControls limits(controls);
-    limits.maxNonOrthogonality -= 5;
     remeshControls loose(controls);
     loose.maxNonOrthogonality = bearable;
 
@@ -39,7 +37,7 @@ Foam::fsbi::meshLists Foam::fsbi::firstGoodMesh
         if (mesh.valid())
         {
             const meshQuality quality(mesh);
-            mesh.failure = quality.complaint(limits);
+            mesh.failure = quality.complaint(controls);
             if (mesh.valid())
             {
                 return mesh;

@@ -16,7 +16,7 @@ Foam::fsbi::remeshControls::remeshControls(const dictionary& dict)
     minSize = entries.found("minSize") ? entries.positive("minSize") : 0;
     cellsPerGap = entries.positive("cellsPerGap", 3);
     optimise = entries.getOrDefault<label>("optimise", 1);
-    maxNonOrthogonality = entries.positive("maxNonOrthogonality", 80);
+    maxNonOrthogonality = entries.positive("maxNonOrthogonality", 70);
     maxSkewness = entries.positive("maxSkewness", 4);
     minVolumeRatio = entries.positive("minVolumeRatio", 0.05);
     maxTwist = entries.positive("maxTwist", 0.5);

@@ -79,10 +79,13 @@ void Foam::fsbi::flowConditions::keep(const volVectorField& U)
         entry.remove("value");
         if (pf.type() == fixedValueFvPatchVectorField::typeName)
         {
-            // a plain value lasts through remeshing where it is uniform
+            // a plain value lasts through remeshing where it is uniform, to
+            // the last bit: an average would not
+            const vector least(gMin(pf)), most(gMax(pf));
             OStringStream value;
             value.precision(17);
-            value << "value uniform " << gAverage(pf) << ";";
+            value << "value uniform "
+                << (least == most ? least : gAverage(pf)) << ";";
             entry.read(IStringStream(value.str())(), false);
         }
         patches.set(pf.patch().name(), entry);

@@ -361,7 +361,7 @@ Foam::fsbi::fluidMesh::outcome Foam::fsbi::fluidMesh::follow
     )
     {
         Info<< "The new mesh has a non-orthogonality of "
-            << referenceNonOrthogonality_ << " degrees, the best for this gap"
+            << referenceNonOrthogonality_ << " degrees, the best of three"
             << endl;
     }
     return outcome::remeshed;
