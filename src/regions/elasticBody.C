@@ -10,6 +10,44 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "Time.H"
 #include "Tuple2.H"
 #include "IOdictionary.H"
+#include "meshQuality.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Beyond these cells cost accuracy: non-orthogonality, degrees, and skewness
+static const scalar poorAngle = 75, poorSkewness = 4;
+
+//- Why a mesh of the user's cannot be used; what may be inaccurate is told
+static string faultOfGiven(const word& name, const meshLists& whole)
+{
+    const meshQuality quality(whole);
+    if (!(quality.minVolume > 0))
+    {
+        return "the mesh given has a cell with the volume "
+          + Foam::name(quality.minVolume) + ", inside out or empty; checkMesh"
+            " finds it";
+    }
+    if
+    (
+        quality.maxNonOrthogonality > poorAngle
+     || quality.maxSkewness > poorSkewness
+    )
+    {
+        Info<< "The mesh given for body '" << name << "' is ill-shaped:"
+            << " non-orthogonality " << quality.maxNonOrthogonality
+            << " degrees, skewness " << quality.maxSkewness
+            << ": results near such cells may be off by several per cent"
+            << endl;
+    }
+    return string();
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
 
 Foam::fsbi::elasticBody::elasticBody(const word& name, const dictionary& dict)
 :
@@ -151,6 +189,10 @@ Foam::autoPtr<Foam::fvMesh> Foam::fsbi::elasticBody::makeMesh
                 " mesh in constant/" + name_ + "/polyMesh"
               + (alone ? " or constant/polyMesh: run blockMesh first" : "");
         }
+    }
+    if (Pstream::master() && !shape_ && whole.valid())
+    {
+        whole.failure = faultOfGiven(name_, whole);
     }
     Pstream::scatter(whole.failure);
     if (!whole.valid())

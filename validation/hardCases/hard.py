@@ -16,7 +16,9 @@ import sys
 import numpy as np
 
 import outcome
+from fsbi import errors
 from fsbi.history import History
+from givenMesh import GivenBeam, sheared, shaken
 from scene import Body, Flow, Scene
 
 RATE = 5e-5                     # 1/us, of shear
@@ -414,6 +416,38 @@ def stiffBonds():
                 ("forces on the bead off balance", rest, "<", 0.02),
                 ("forces on the cell off balance", other, "<", 0.02)]
     return scene, more
+
+
+# Ill-shaped meshes of the user's own; theory: a beam stretched by its weight
+
+def given(move, bound, name, told):
+    def more(history):
+        found = errors.read(f"runs/{name}")
+        said = "is ill-shaped" in outcome.read(f"runs/{name}")
+        return [("displacement off theory", found["D_l2"], "<", bound),
+                ("stress off theory", found["sigma_l2"], "<", bound),
+                ("told", said, ">", 0.5) if told else ("told", said, "<", 0.5)]
+    return GivenBeam(move), more
+
+
+@case("a given mesh, its points moved by up to 0.4 of the edge: theory to 1 %", quick=True)
+def givenShaken():
+    return given(shaken(0.4), 0.01, "givenShaken", False)
+
+
+@case("by up to 0.6, faces through their neighbours, non-orthogonality above 90 degrees: told")
+def givenCrossed():
+    return given(shaken(0.6), 0.05, "givenCrossed", True)
+
+
+@case("layers sheared to a non-orthogonality of 80 degrees: told; off by less than 10 %")
+def givenSheared():
+    return given(sheared(0.6), 0.1, "givenSheared", True)
+
+
+@case("a given mesh with cells inside out: refused", quick=True, stops="volume .*inside out")
+def givenInsideOut():
+    return GivenBeam(shaken(0.8)), no_more
 
 
 HEADER = ["name", "verdict", "seconds", "shows", "quantity", "value", "sense", "bound", "why"]
