@@ -5,7 +5,8 @@ results.csv. A difference is relative to the largest number of its table, of
 forces and torques to the largest of all bodies and at least to Stokes' drag
 6 pi mu a U and torque 8 pi mu a^3 omega: on free bodies they cancel. A centre's
 is relative to at least the radius, energy and reaction of a solid body to at
-least those of a strain of 0.1 %."""
+least those of a strain of 0.1 %, work to that of this reaction over a radius:
+the surface of rotatingSphere travels far against a force of nothing."""
 
 import glob
 import math
@@ -23,19 +24,21 @@ results = Results("processes")
 
 
 def tables(history):
-    """Numbers by path; without times and seconds of wall clock."""
-    return {
-        path: history[path].array[:, [
-            i for i, c in enumerate(history[path].columns)
-            if c not in ("time", "seconds")]]
-        for path in history.paths()
-        if path != "cost"
-    }
+    """Numbers by path; without times and seconds of wall clock; work apart."""
+    found = {}
+    for path in history.paths():
+        columns = history[path].columns
+        kept = [i for i, c in enumerate(columns) if c not in ("time", "seconds", "work")]
+        if path != "cost":
+            found[path] = history[path].array[:, kept]
+        if "work" in columns:
+            found[path + "/work"] = history[path]["work"][:, None]
+    return found
 
 
 def scale_of(path):
     """What is measured by one scale: a table, or all forces or torques."""
-    for name in ("/reaction/", "/energy", "/centre"):
+    for name in ("/reaction/", "/work", "/energy", "/centre"):
         if name in path:
             return name
     if path.endswith(("/fluidForce", "/tether")):
@@ -75,7 +78,7 @@ def stokes(run, values):
 
 
 def strained(run):
-    """Energy and force at a strain of 0.1 %, and the radius."""
+    """Energy, force and work at a strain of 0.1 %, and the radius."""
     text = ""
     for file in [f"{run.folder}/constant/bodies", *glob.glob(f"{run.folder}/constant/*/material")]:
         with open(file) as opened:
@@ -85,7 +88,8 @@ def strained(run):
     if not radius or not modulus:
         return {}
     a, E = float(radius[1]), float(modulus[1])
-    return {"/energy": 1e-6 * E * a**3, "/reaction/": 1e-3 * E * a**2, "/centre": a}
+    return {"/energy": 1e-6 * E * a**3, "/reaction/": 1e-3 * E * a**2,
+            "/work": 1e-3 * E * a**3, "/centre": a}
 
 
 def difference(one, other):

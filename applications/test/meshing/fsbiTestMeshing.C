@@ -240,7 +240,7 @@ static void checkMotion(checks& c)
     Info<< "    turned by 0.4: non-orthogonality " << q.maxNonOrthogonality
         << ", volume ratio " << q.minVolumeRatio << endl;
     c.check("volumes stay positive", q.minVolume > 0);
-    const remeshControls limits(dict(""));
+    const remeshControls limits(dict("maxNonOrthogonality 80;"));
     c.check("not yet worn out", !q.wornOut(limits, motion.twist(now)));
     c.check("a large twist wears out", q.wornOut(limits, 0.6));
 
