@@ -23,6 +23,10 @@ CASES = {
     "schemeMonolithic": "soft cell, error of the coupling; monolithic",
     "schemeIQNILS": "the same; IQN-ILS", "schemeSemiImplicit": "the same; semi-implicit",
     "microbeadTethered": "S9: longest axis and drag; no exact solution",
+    "beamSelfWeight": "S2: displacement and stress, exact",
+    "microbeadInGradient": "a bead pulled by coils: its path, exact without walls",
+    "rollingLeukocyteShape": "S1: mean drag and torque; no exact solution",
+    "tumourCellPassesLeukocyte": "S10: path and shape before they meet; no exact solution",
     "helix": "S7: resistance, boundary integrals",
 }
 METHODS = {
