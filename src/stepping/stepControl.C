@@ -31,8 +31,8 @@ extern "C" void onInterrupt(int signal)
 //- Turn of a body in a step that is told where the user gives the step, rad
 const Foam::scalar unresolvedTurn = 1;
 
-//- Steps, each half as long as the one before, to end an interrupted run with
-const Foam::label maxLastTries = 3;
+//- Shorter steps tried, where one fails, to end an interrupted run with
+const Foam::label maxLastTries = 1;
 
 //- Insertions, removals and exchanges that turn one word into the other
 int editDistance(const std::string& a, const std::string& b)

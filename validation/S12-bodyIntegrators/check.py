@@ -26,9 +26,10 @@ def slip(kind, integrator, step):
 
 
 def amplification(s):
-    """Mean factor per step over the early steps, with its sign."""
-    ratios = s[1:5] / s[0:4]
-    return np.median(ratios)
+    """Mean factor per step over the early steps, with its sign. Of changes from
+    step to step: the slip itself ends at what the mesh is off by."""
+    changes = np.diff(s[:5])
+    return np.median(changes[1:] / changes[:-1])
 
 
 def explicit(kind, tau, steps):
