@@ -95,10 +95,8 @@ x, t = path.position("microbead"), path.time()
 a = 2 * np.pi * t / 1e6
 wish = np.stack([10 * np.sin(a), 12 + 4 * np.sin(2 * a), 0 * a], axis=1)
 off = np.linalg.norm(x - wish, axis=1)
-results.add("path_off_over_its_width_abs", off.max() / 20, 0, 0.03 if quick else 0.01,
-            **cost)
-results.add("path_off_over_its_height_abs", off.max() / HEIGHT, 0, 0.05 if quick else 0.01,
-            **cost)
+results.add("path_off_over_its_width_abs", off.max() / 20, 0, 0.01, **cost)
+results.add("path_off_over_its_height_abs", off.max() / HEIGHT, 0, 0.01, **cost)
 currents = np.array([table[name + ".I"] for name in COILS])
 results.add("path_current_over_limit_abs", np.abs(currents).max() / LIMIT, 1, 1e-6)
 volume = vectors(path.history["effects/magnetics/microbead"], "m")
