@@ -22,7 +22,7 @@ Foam::scalarField Foam::fsbi::designed::strengths
     (
         SubField<scalar>
         (
-            solved.solutions[n].strengths, entries.driven()[field].size(), first
+            solutions[n].strengths, entries.driven()[field].size(), first
         )
     );
 }
@@ -31,13 +31,13 @@ Foam::scalarField Foam::fsbi::designed::strengths
 void Foam::fsbi::designed::writeTables(const fileName& folder) const
 {
     mkDir(folder);
-    scalarField times(solved.wanted.size());
-    List<scalarField> values(solved.wanted.size());
+    scalarField times(wanted.size());
+    List<scalarField> values(wanted.size());
     forAll(entries.driven(), i)
     {
-        forAll(solved.wanted, n)
+        forAll(wanted, n)
         {
-            times[n] = solved.wanted[n].time;
+            times[n] = wanted[n].time;
             values[n] = strengths(i, n);
         }
         const drivenField& field = entries.driven()[i];
@@ -63,10 +63,10 @@ void Foam::fsbi::designed::writeCsv(const fileName& file) const
         << ",wantedFx,wantedFy,wantedFz,wantedTx,wantedTy,wantedTz"
         << ",Fx,Fy,Fz,Tx,Ty,Tz,residual" << nl;
     const scalar metre = entries.inUnits().metre();
-    forAll(solved.wanted, n)
+    forAll(wanted, n)
     {
-        const wantedLoad& w = solved.wanted[n];
-        const auto& s = solved.solutions[n];
+        const wantedLoad& w = wanted[n];
+        const auto& s = solutions[n];
         const symmTensor G(metre*symm(s.made.gradient));
         DynamicList<scalar> row;
         const auto add = [&](const auto& v)
@@ -104,21 +104,21 @@ void Foam::fsbi::designed::summarise(const scalar radius) const
 {
     scalar force = 0, torque = 0;
     label worst = 0;
-    forAll(solved.wanted, n)
+    forAll(wanted, n)
     {
-        force = max(force, mag(solved.wanted[n].force));
-        torque = max(torque, mag(solved.wanted[n].torque));
-        worst = solved.solutions[n].residual > solved.solutions[worst].residual ? n : worst;
+        force = max(force, mag(wanted[n].force));
+        torque = max(torque, mag(wanted[n].torque));
+        worst = solutions[n].residual > solutions[worst].residual ? n : worst;
     }
-    Info<< nl << solved.wanted.size() << " times from " << solved.wanted.first().time
-        << " to " << solved.wanted.last().time << nl
+    Info<< nl << wanted.size() << " times from " << wanted.first().time
+        << " to " << wanted.last().time << nl
         << "Largest force wanted:   " << force << nl
         << "Largest torque wanted:  " << torque << nl;
     forAll(entries.driven(), i)
     {
         const drivenField& field = entries.driven()[i];
         scalar largest = 0;
-        forAll(solved.wanted, n)
+        forAll(wanted, n)
         {
             for (const scalar v : strengths(i, n))
             {
@@ -136,11 +136,11 @@ void Foam::fsbi::designed::summarise(const scalar radius) const
         Info<< nl;
     }
     Info<< "Load not made, over the largest wanted (torque over " << radius
-        << "): " << solved.solutions[worst].residual << " at time "
-        << solved.wanted[worst].time << nl;
-    if (solved.switches.size())
+        << "): " << solutions[worst].residual << " at time "
+        << wanted[worst].time << nl;
+    if (switches.size())
     {
-        Info<< "The fields switch at " << flatOutput(solved.switches)
+        Info<< "The fields switch at " << flatOutput(switches)
             << ": within their limits nothing in between makes the load, and"
             << " the coils must be as fast" << nl;
     }

@@ -102,7 +102,7 @@ int main(int argc, char *argv[])
     );
     const fsbi::designed result
     {
-        entries, fsbi::solveCourse(entries, design, wanted)
+        fsbi::solveCourse(entries, design, wanted), entries
     };
     const fileName folder(runTime.globalPath()/"constant"/"fieldDesign");
     const fileName csv
