@@ -58,7 +58,7 @@ void Foam::fsbi::recorder::declare()
     }
     if (scene_.effects())
     {
-        scene_.effects()->declare(*this);
+        declareEffects();
     }
     history_.declare
     (
@@ -103,6 +103,57 @@ void Foam::fsbi::recorder::declareMotion
         history_.declare(path/"force"/source, xyz, "M L/T^2");
         history_.declare(path/"torque"/source, xyz, "M L^2/T^2");
     }
+}
+
+
+Foam::fileNameList Foam::fsbi::recorder::paths() const
+{
+    DynamicList<fileName> all;
+    for (const rigidBody& body : scene_.bodies())
+    {
+        all.append("bodies"/body.name());
+    }
+    for (const solidRegion& body : scene_.solids())
+    {
+        all.append("elasticBodies"/body.name());
+    }
+    for (const prescribedBody& body : scene_.prescribed())
+    {
+        all.append("bodies"/body.name());
+    }
+    return fileNameList(std::move(all));
+}
+
+
+void Foam::fsbi::recorder::declareEffects()
+{
+    const wordList xyz({"x", "y", "z"});
+    for (const fileName& path : paths())
+    {
+        history_.declare(path/"force"/"effects", xyz, "M L/T^2");
+        history_.declare(path/"torque"/"effects", xyz, "M L^2/T^2");
+    }
+    scene_.effects()->declare(*this);
+}
+
+
+void Foam::fsbi::recorder::appendEffects()
+{
+    const scalar t = time_.value();
+    const fileNameList all(paths());
+    forAll(all, b)
+    {
+        const sixVector& f = scene_.effectLoad(b);
+        history_.append
+        (
+            all[b]/"force"/"effects", t, scalarList({f[0], f[1], f[2]})
+        );
+        history_.append
+        (
+            all[b]/"torque"/"effects", t, scalarList({f[3], f[4], f[5]})
+        );
+    }
+    scene_.effects()->record(*this);
 }
 
 
@@ -355,7 +406,7 @@ void Foam::fsbi::recorder::append()
     }
     if (scene_.effects())
     {
-        scene_.effects()->record(*this);
+        appendEffects();
     }
     forAll(scene_.prescribed(), b)
     {

@@ -5,8 +5,37 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "scene.H"
 #include "Time.H"
+#include "loadCoupling.H"
 #include "proximity.H"
 #include "untrapped.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Force and torque about the centre of all that acts on a body that deforms
+static sixVector total
+(
+    const loads::onBodies& acted, const label bodyi, const immersedBody& body
+)
+{
+    const bodySurface surface(body.placedSurface());
+    const point centre(body.placed().centre);
+    const vectorField& pulls = acted.triangles[bodyi];
+    vector force(linear(acted.whole[bodyi]));
+    vector torque(angular(acted.whole[bodyi]));
+    forAll(pulls, i)
+    {
+        const point x(surface.triangles()[i].centre(surface.points()));
+        force += pulls[i];
+        torque += (x - centre) ^ pulls[i];
+    }
+    return join(force, torque);
+}
+
+} // End namespace fsbi
+} // End namespace Foam
 
 
 Foam::List<Foam::fsbi::bodyRows> Foam::fsbi::scene::bodyRowsNow() const
@@ -61,6 +90,7 @@ void Foam::fsbi::scene::take
     const UList<bodyRows>& rows, const UList<sixVector>& loads
 )
 {
+    takeEffects(rows);
     forAll(rows, b)
     {
         bodies_[b].set(rows[b].velocity, loads[b]);
@@ -68,6 +98,30 @@ void Foam::fsbi::scene::take
         {
             bodies_[b].settle();
         }
+    }
+}
+
+
+void Foam::fsbi::scene::takeEffects(const UList<bodyRows>& rows)
+{
+    if (!effects_)
+    {
+        return;
+    }
+    List<sixVector> velocities(rows.size());
+    forAll(rows, b)
+    {
+        velocities[b] = rows[b].velocity;
+    }
+    const loads::onBodies acted
+    (
+        loadCoupling::forces(effects_->last(), rows, velocities)
+    );
+    effectLoads_ = acted.whole;
+    forAll(solids_, e)
+    {
+        const label b = bodies_.size() + e;
+        effectLoads_[b] = total(acted, b, immersed_[b]);
     }
 }
 
