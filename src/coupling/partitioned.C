@@ -169,7 +169,10 @@ Foam::fsbi::boundarySpring Foam::fsbi::partitioned::spring
     boundarySpring s;
     s.stiffness = (robin_*fluid_.stokes().mu()/radius*body.rate)*area;
     vectorField d(area.size(), Zero);
-    body.solid.spreadFaces(surfaceDisplacement(body, given).faces, d);
+    body.solid.spreadFaces
+    (
+        vectorField(surfaceDisplacement(body, given).faces - body.movedFaces), d
+    );
     s.load = surfaceForce(body, fluid_.traction()) + s.stiffness*d;
     return s;
 }

@@ -96,13 +96,13 @@ Foam::string Foam::fsbi::linearElastic::warning
     {
         return string();
     }
-    char text[200];
+    char text[300];
     snprintf
     (
         text, sizeof(text),
         "linearElastic is for strains and rotations of a few per cent, and the "
         "smallest stretch is %.3g, the smallest volume ratio %.3g: take "
-        "neoHookean",
+        "corotationalElastic if the body turns, neoHookean if it strains",
         minStretch, minJ
     );
     return text;

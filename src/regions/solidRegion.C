@@ -144,6 +144,10 @@ void Foam::fsbi::solidRegion::setRows()
     conditions_->evaluate(movedFaces_);
     rows_.mass = inertia();
     rows_.force = loads();
+    if (rows_.tethered())
+    {
+        rows_.place = tethered_ - gSum(vectorField(rows_.share*movedCells_));
+    }
     wetted_->setVelocity(rows_);
 }
 
@@ -173,7 +177,7 @@ void Foam::fsbi::solidRegion::setLoad(const sixVector& load)
     {
         return;
     }
-    const vectorField x(centres_ + cells());
+    const vectorField x(centres_ + movedCells_ + cells());
     const scalar V = gSum(volumes_);
     const vectorField r(x - gSum(volumes_*x)/V);
     const symmTensor J(gSum(volumes_*(magSqr(r)*symmTensor::I - sqr(r))));
@@ -260,6 +264,13 @@ void Foam::fsbi::solidRegion::moveMesh()
     movedPoints_ = fields_->pointD();
     mesh_->movePoints(reference_ + movedPoints_);
     mesh_->moving(false);
+}
+
+
+void Foam::fsbi::solidRegion::setMoved()
+{
+    rows_.movedFaces = rows_.solid.collectFaces(movedFaces_);
+    rows_.movedPoints = rows_.solid.collectPoints(movedPoints_);
 }
 
 
@@ -356,6 +367,10 @@ void Foam::fsbi::solidRegion::endStep()
     if (moves())
     {
         moveMesh();
+        if (inFluid_)
+        {
+            setMoved();
+        }
         elastic_->update();
         const label n = 3*(mesh().nCells() + elastic_->nGhosts());
         std::fill_n(x_.begin(), n, 0);

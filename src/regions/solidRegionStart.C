@@ -38,6 +38,7 @@ Foam::fsbi::solidRegion::solidRegion
         )
     ),
     inFluid_(inFluid),
+    tethered_(Zero),
     fluidForce_(Zero),
     oldStep_(0),
     volumeForce_(Zero),
@@ -94,6 +95,13 @@ void Foam::fsbi::solidRegion::create(const bool saved)
     movedCells_.setSize(mesh().nCells(), Zero);
     movedFaces_.setSize(mesh().nFaces() - mesh().nInternalFaces(), Zero);
     movedPoints_.setSize(mesh().nPoints(), Zero);
+    if (inFluid_)
+    {
+        // its surface is that of the stress-free body
+        wetted_.reset(new wettedSurface(mesh(), held, body_));
+        wetted_->setSurface(rows_);
+        setTether();
+    }
     if (saved)
     {
         moveMesh();
@@ -114,12 +122,10 @@ void Foam::fsbi::solidRegion::create(const bool saved)
     renewSolver();
     if (inFluid_)
     {
-        wetted_.reset(new wettedSurface(mesh(), held, body_));
         rows_.elastic = &elastic_();
         rows_.given = &conditions_->given();
         rows_.x = &x_;
-        wetted_->setSurface(rows_);
-        setTether();
+        setMoved();
     }
 }
 
@@ -166,13 +172,6 @@ void Foam::fsbi::solidRegion::readFormulation()
         )
     );
     formulation_ = elasticOperator::formulationNames[chosen];
-    if (inFluid_ && formulation_ != formulation::totalLagrangian)
-    {
-        FatalErrorInFunction
-            << "Body '" << name() << "' is in a fluid, where its 'formulation'"
-            << " must be totalLagrangian (the results are the same)"
-            << exit(FatalError);
-    }
     if (formulation_ != formulation::totalLagrangian)
     {
         reference_ = mesh().points();
@@ -274,7 +273,7 @@ void Foam::fsbi::solidRegion::start()
         wetted_->start(rows_);
         if (rows_.tethered())
         {
-            rows_.place = gSum(vectorField(rows_.share*cells()));
+            tethered_ = gSum(vectorField(rows_.share*cells()));
         }
     }
     setFields();

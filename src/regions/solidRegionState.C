@@ -89,7 +89,7 @@ void Foam::fsbi::solidRegion::save(dictionary& state) const
         state.set("surface", surface);
         state.set("fluidForce", fluidForce_);
         state.set("tether", rows_.tether);
-        state.set("place", rows_.place);
+        state.set("place", tethered_);
     }
 }
 
@@ -119,7 +119,7 @@ void Foam::fsbi::solidRegion::restore(const dictionary& state)
         wetted_->restore(state.subDict("surface"));
         fluidForce_ = state.get<vector>("fluidForce");
         rows_.tether = state.get<vector>("tether");
-        rows_.place = state.get<vector>("place");
+        tethered_ = state.get<vector>("place");
     }
     visitState
     (

@@ -31,6 +31,11 @@ Foam::fsbi::surfaceDisplacement::surfaceDisplacement
     }
     faces = body.solid.collectFaces(moving);
     points = body.solid.collectPoints(atPoints);
+    if (!derivative)
+    {
+        faces += body.movedFaces;
+        points += body.movedPoints;
+    }
     forAll(points, i)
     {
         if (body.heldPoints[i])

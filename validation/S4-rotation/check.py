@@ -1,18 +1,26 @@
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The largest stress over Young's modulus, in every step of every run."""
+"""The largest stress over Young's modulus, in every step of every run; the
+stress that turns with a stretched sphere, or does not."""
 
 import os
 import sys
 
-from fsbi import plots
-from fsbi.case import cases
+import numpy as np
+
+import stretched
+from fsbi import fields, plots
+from fsbi.case import Case, cases
 from fsbi.results import Results
 
 quick = sys.argv[1] == "true"
 YOUNG = 0.504e-3        # pg/um/us2
+# bound: the solver's tolerance (1e-13 of the forces) times the number of cells
+# across (10) squared, which is how far an error of forces adds up in the
+# displacement
 BOUND = 1e-10
-FORMULATIONS = "totalLagrangian", "updatedLagrangian", "slowProcess"
+FORMULATIONS = ("totalLagrangian", "updatedLagrangian", "slowProcess",
+                "slowProcessTotalStrain")
 
 
 def stress(run):
@@ -27,6 +35,41 @@ def row(name, runs):
     results.add(f"stress_over_E_{name}_abs", max(stress(worst)[1]), 0, BOUND,
                 seconds=sum(run.seconds for run in runs),
                 cells=max(run.cells for run in runs))
+
+
+def stress_of_stretched(run):
+    """Means over the body at times 1, 2, ..., over E; largest scatter."""
+    means, scatter = [], 0
+    for time in range(1, stretched.STEPS + 2):
+        rows = fields.internal(f"{run.folder}/{time}/sphere/sigma") / YOUNG
+        tensors = rows[:, [0, 1, 2, 1, 3, 4, 2, 4, 5]].reshape(-1, 3, 3)
+        means.append(tensors.mean(axis=0))
+        scatter = max(scatter, np.abs(tensors - means[-1]).max())
+    return np.array(means), scatter
+
+
+def departure(stresses):
+    """Of the last stress from the one that turned with the body, relative."""
+    exact = stretched.stresses("totalLagrangian")[-1]
+    return np.linalg.norm(stresses[-1] - exact) / np.linalg.norm(exact)
+
+
+def turned_when_stretched():
+    """Every formulation has the stress of its definition; slowProcess leaves
+    the stress where it was, which a test of rigid rotation cannot see."""
+    for formulation in FORMULATIONS:
+        run = Case(f"runs/tetrahedra-{formulation}-stretched")
+        found, scatter = stress_of_stretched(run)
+        expected = stretched.stresses(formulation)
+        cost = dict(seconds=run.seconds, cells=run.cells)
+        # bound: as BOUND; the error is over E, as there
+        error = np.abs(found - expected).max() + scatter
+        results.add(f"stretched_then_turned_{formulation}_abs", error, 0, BOUND,
+                    **cost)
+        if formulation.startswith("slowProcess"):
+            # bound: BOUND over the stress, 0.05 E
+            results.add(f"stretched_then_turned_{formulation}_departs",
+                        departure(found), departure(expected), 2e-9)
 
 
 results = Results("S4")
@@ -50,4 +93,5 @@ axes.set_title("Rigid rotation: in steps of 10° (lines), at once (markers)",
 axes.legend(fontsize=8, ncols=2, loc="upper left")
 if not quick:
     plots.save(figure, "stress.png")
+turned_when_stretched()
 results.write()

@@ -62,10 +62,20 @@ def Cauchy(F):
 
 
 def slow_stress(F, before):
-    """What slowProcess takes for P: the stress F'' S on the mesh, whose
-    deformation is that before the step, brought back to the undeformed body."""
-    return (F @ np.linalg.inv(before) @ second_stress(F)
-            * np.linalg.det(before) @ np.linalg.inv(before).T)
+    """What slowProcess takes for P: the stress F'' (S' + S(F'')) on the mesh,
+    whose deformation is that before the step, brought back to the undeformed
+    body."""
+    step = F @ np.linalg.inv(before)
+    return _from_mesh(step @ (second_stress(before) + second_stress(step)), before)
+
+
+def slow_stress_total(F, before):
+    """The same of slowProcessTotalStrain: F'' S(F)."""
+    return _from_mesh(F @ np.linalg.inv(before) @ second_stress(F), before)
+
+
+def _from_mesh(P, before):
+    return P @ np.linalg.inv(before).T * np.linalg.det(before)
 
 
 def path(name, *step):

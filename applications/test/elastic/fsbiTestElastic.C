@@ -20,6 +20,8 @@ Description
 #include "mathematicalConstants.H"
 #include "quaternion.H"
 
+#include <map>
+
 using namespace Foam;
 using namespace Foam::fsbi;
 
@@ -194,6 +196,86 @@ static void checkTangent
 }
 
 
+//- What the formulations make of a step F'' after a deformation F': against
+//  their definitions, written out for Saint Venant and Kirchhoff's law. With a
+//  pressure of its own, the body has the same stress where the pressure is
+//  what the volume asks for
+static void checkDefinitions(checks& c, const fvMesh& mesh, const bool mixed)
+{
+    const scalar nu = 0.3, mu = 0.5/(1 + nu), lambda = 2*mu*nu/(1 - 2*nu);
+    const auto S = [&](const tensor& F)
+    {
+        const symmTensor E(0.5*(symm(F.T() & F) - symmTensor::I));
+        return tensor((lambda*tr(E))*tensor::I + 2*mu*E);
+    };
+    const tensor prior(1.1, 0.3, 0, -0.4, 0.9, 0.1, 0, 0.1, 1.05);
+    const tensor H(0.05, 0.2, -0.1, -0.2, 0.05, 0.03, 0.1, 0, 0.02);
+    const tensor step(tensor::I + H), F(step & prior);
+    const auto traceOfStrain = [](const tensor& f){ return 0.5*(magSqr(f) - 3); };
+    const std::map<formulation, std::pair<tensor, scalar>> expected
+    {
+        {
+            formulation::updatedLagrangian,
+            {(F & S(F) & prior.T())/det(prior), traceOfStrain(F)}
+        },
+        {
+            formulation::slowProcess,
+            {
+                step & (S(prior) + S(step)),
+                traceOfStrain(prior) + traceOfStrain(step)
+            }
+        },
+        {
+            formulation::slowProcessTotalStrain,
+            {step & S(F), traceOfStrain(F)}
+        }
+    };
+    for (const auto& form : expected)
+    {
+        elasticCase body
+        (
+            mesh, "type StVenantKirchhoff; E 1; nu 0.3;", allGiven, form.first,
+            mixed
+        );
+        body.elastic->prior() = prior;
+        body.elastic->before() = prior;
+        set(body, [&](const point& p){ return H & p; });
+        const label first = 3*(mesh.nCells() + body.elastic->nGhosts());
+        for (label i = first; i < body.x.size(); ++i)
+        {
+            body.x[i] = -lambda*form.second.second;
+        }
+        scalarList r(body.x.size());
+        body.elastic->residual(body.x.cdata(), body.given, r.begin());
+        const tensorField stress(body.elastic->stress() - form.second.first);
+        const std::string name
+        (
+            elasticOperator::formulationNames[form.first]
+          + (mixed ? ", mixed" : "")
+        );
+        c.checkBelow(name + ": stress on the mesh", max(mag(stress)), 1e-12);
+        if (mixed)
+        {
+            scalar most = 0;
+            for (label i = first; i < r.size(); ++i)
+            {
+                most = max(most, mag(r[i]));
+            }
+            c.checkBelow(name + ": its volume", most, 1e-12);
+        }
+        const symmTensor Cauchy
+        (
+            symm(form.second.first & step.T())/det(step)
+        );
+        c.checkBelow
+        (
+            name + ": stress on the deformed body",
+            max(mag(body.elastic->vertexStress()() - Cauchy)), 1e-12
+        );
+    }
+}
+
+
 //- Stress over E of a body turned about an odd axis, in one step or many
 static scalar rotationStress
 (
@@ -355,7 +437,14 @@ int main(int argc, char *argv[])
         checkRotation(c, meshes, kind);
     }
     autoPtr<fvMesh> mesh(meshes.mesh("tetrahedra", 3));
-    for (const word law : {"StVenantKirchhoff", "neoHookean", "MooneyRivlin"})
+    for
+    (
+        const word law :
+        {
+            "StVenantKirchhoff", "neoHookean", "MooneyRivlin",
+            "corotationalElastic"
+        }
+    )
     {
         for (const bool mixed : {false, true})
         {
@@ -369,7 +458,8 @@ int main(int argc, char *argv[])
                 {
                     formulation::totalLagrangian,
                     formulation::updatedLagrangian,
-                    formulation::slowProcess
+                    formulation::slowProcess,
+                    formulation::slowProcessTotalStrain
                 }
             )
             {
@@ -382,7 +472,10 @@ int main(int argc, char *argv[])
         c, mesh(), "type linearElastic; E 1; nu 0.4; viscosity 0.3;",
         formulation::totalLagrangian, true
     );
+    checkDefinitions(c, mesh(), false);
+    checkDefinitions(c, mesh(), true);
     checkRotationSteps(c, meshes, formulation::updatedLagrangian);
+    checkRotationSteps(c, meshes, formulation::slowProcess);
     checkBending(c);
     checkMethods(c);
     return c.finish();

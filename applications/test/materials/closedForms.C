@@ -11,6 +11,7 @@ Description
 #include "references.H"
 #include "testMaterial.H"
 #include "mathematicalConstants.H"
+#include "quaternion.H"
 
 #include <algorithm>
 
@@ -62,6 +63,40 @@ static void checkShears(checks& c)
         );
     }
     c.checkBelow("St. Venant-Kirchhoff in simple shear: stress", worst, 5e-9);
+}
+
+
+// A bar's P = E (L - 1) and simple shear, both turned: Hooke's line for Biot's
+// strain, whose stretch and rotation have closed forms here
+static void checkTurned(checks& c)
+{
+    const tensor Q(quaternion(normalised(vector(1, -2, 3)), 2.5).R());
+    scalar bar = 0, shear = 0;
+    for (const scalar nu : {-0.2, 0.0, 0.3, 0.45})
+    {
+        const autoPtr<solidMaterial> m(material("corotationalElastic", nu));
+        for (const scalar e : {-0.3, -0.01, 1e-6, 0.05, 0.4})
+        {
+            const tensor F(1 + e, 0, 0, 0, 1 - nu*e, 0, 0, 0, 1 - nu*e);
+            const tensor P(Q.T() & m->stress(Q & F));
+            bar = max(bar, mag(P - tensor(e, 0, 0, 0, 0, 0, 0, 0, 0)));
+
+            // the angle of R is -atan(e/2), the trace of U 1 + sqrt(4 + e^2)
+            const scalar length = Foam::sqrt(4 + sqr(e));
+            const tensor R
+            (
+                2/length, e/length, 0, -e/length, 2/length, 0, 0, 0, 1
+            );
+            const tensor H(tensor(1, e, 0, 0, 1, 0, 0, 0, 1));
+            const tensor exact
+            (
+                2*m->mu()*(H - R) + m->lambda()*(length - 2)*R
+            );
+            shear = max(shear, mag((Q.T() & m->stress(Q & H)) - exact));
+        }
+    }
+    c.checkBelow("corotationalElastic, turned bar: P = E (L - 1)", bar, 1e-14);
+    c.checkBelow("corotationalElastic, turned simple shear", shear, 1e-14);
 }
 
 
@@ -136,6 +171,7 @@ void checkClosedForms(checks& c)
 {
     checkBars(c);
     checkShears(c);
+    checkTurned(c);
     checkManufactured(c);
     checkMooneyRivlin(c);
 }

@@ -31,6 +31,7 @@ void checkClosedForms(checks& c);
 static const char* const laws[] =
 {
     "linearElastic",
+    "corotationalElastic",
     "StVenantKirchhoff",
     "neoHookean",
     "MooneyRivlin",
@@ -268,6 +269,21 @@ static void checkWarnings(checks& c)
     (
         "and not above a stretch of 0.577",
         material("StVenantKirchhoff", 0.3)->warning(0.7, 0.58).empty()
+    );
+    const auto turning = material("corotationalElastic", 0.3);
+    c.check
+    (
+        "corotationalElastic warns of strains from 10 % on",
+        turning->warning(1, 0.91).empty()
+     && turning->warning(1, 0.89).find("0.89") != std::string::npos
+    );
+    c.check
+    (
+        "linearElastic points to corotationalElastic",
+        material("linearElastic", 0.3)->warning(1.2, 1).find
+        (
+            "corotationalElastic"
+        ) != std::string::npos
     );
     c.check
     (

@@ -12,7 +12,8 @@ Foam::fsbi::elasticOperator::formulationNames
 ({
     { formulation::totalLagrangian, "totalLagrangian" },
     { formulation::updatedLagrangian, "updatedLagrangian" },
-    { formulation::slowProcess, "slowProcess" }
+    { formulation::slowProcess, "slowProcess" },
+    { formulation::slowProcessTotalStrain, "slowProcessTotalStrain" }
 });
 
 namespace Foam
@@ -387,10 +388,7 @@ void Foam::fsbi::elasticOperator::residual
         scalarField volume(F_.size());
         forAll(F_, v)
         {
-            volume[v] =
-                material_.linear()
-              ? material_.thetaGradient(F_[v]) && gradient_[v]
-              : material_.theta(F_[v]);
+            volume[v] = volumeChange(v);
         }
         addPressures(volume, pressure_, r);
     }
@@ -406,13 +404,12 @@ void Foam::fsbi::elasticOperator::tangent(const scalar* dx, scalar* dr) const
     scalarField volume(dPressure_.size());
     forAll(dStress_, v)
     {
-        const tensor dF(dGradient_[v] & prior_[v]);
-        const scalar dp = mixed_ ? dPressure_[v] : 0;
-        dStress_[v] = pushedTangent(v, dF, lawTangent(v, dF, dp));
-        dStiffening_[v] = stiffeningTangent(v, dF);
+        const tensor& dH = dGradient_[v];
+        dStress_[v] = meshTangent(v, dH, mixed_ ? dPressure_[v] : 0);
+        dStiffening_[v] = stiffeningTangent(v, dH & prior_[v]);
         if (mixed_)
         {
-            volume[v] = material_.thetaGradient(F_[v]) && dF;
+            volume[v] = volumeTangent(v, dH);
         }
     }
     vectorField held(stencil_.nFaces());

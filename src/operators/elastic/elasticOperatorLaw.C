@@ -5,30 +5,17 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "elasticOperator.H"
 
-Foam::tensor Foam::fsbi::elasticOperator::lawStress(const label v) const
+Foam::tensor Foam::fsbi::elasticOperator::lawStress(const strained& s) const
 {
-    if (material_.linear())
-    {
-        // 1 + grad u would lose the digits of small strains
-        const tensor P
-        (
-            lawTangent(v, gradient_[v], mixed_ ? pressure_[v] : 0)
-        );
-        return
-            material_.viscosity() > 0
-          ? P - material_.viscousStress(F_[v], rate(before_[v] - tensor::I))
-          : P;
-    }
-    const tensor& F = F_[v];
     tensor P
     (
         mixed_
-      ? material_.shearStress(F) - pressure_[v]*material_.thetaGradient(F)
-      : material_.stress(F)
+      ? material_.shearStress(s.F) - s.p*material_.thetaGradient(s.F)
+      : material_.stress(s.F)
     );
     if (material_.viscosity() > 0)
     {
-        P += material_.viscousStress(F, rate(F - before_[v]));
+        P += material_.viscousStress(s.F, rate(s.F - s.before));
     }
     return P;
 }
@@ -36,26 +23,68 @@ Foam::tensor Foam::fsbi::elasticOperator::lawStress(const label v) const
 
 Foam::tensor Foam::fsbi::elasticOperator::lawTangent
 (
-    const label v, const tensor& dF, const scalar dp
+    const strained& s, const tensor& dF, const scalar dp
 ) const
 {
-    const tensor& F = F_[v];
     tensor dP
     (
         mixed_
-      ? material_.shearTangent(F, dF)
-      - pressure_[v]*material_.thetaTangent(F, dF)
-      - dp*material_.thetaGradient(F)
-      : material_.tangent(F, dF)
+      ? material_.shearTangent(s.F, dF)
+      - s.p*material_.thetaTangent(s.F, dF)
+      - dp*material_.thetaGradient(s.F)
+      : material_.tangent(s.F, dF)
     );
     if (material_.viscosity() > 0)
     {
         dP += material_.viscousTangent
         (
-            F, rate(F - before_[v]), dF, rate(dF)
+            s.F, rate(s.F - s.before), dF, rate(dF)
         );
     }
     return dP;
+}
+
+
+Foam::fsbi::elasticOperator::strained Foam::fsbi::elasticOperator::total
+(
+    const label v
+) const
+{
+    return {F_[v], before_[v], mixed_ ? pressure_[v] : 0};
+}
+
+
+Foam::fsbi::elasticOperator::strained Foam::fsbi::elasticOperator::step
+(
+    const label v
+) const
+{
+    // of the pressure only what S(F') does not have
+    return
+    {
+        tensor::I + gradient_[v], tensor::I,
+        mixed_
+      ? pressure_[v] + material_.lambda()*material_.theta(prior_[v])
+      : 0
+    };
+}
+
+
+Foam::tensor Foam::fsbi::elasticOperator::linearStress(const label v) const
+{
+    // 1 + grad u would lose the digits of small strains
+    const strained s(total(v));
+    const tensor P(lawTangent(s, gradient_[v], s.p));
+    return
+        material_.viscosity() > 0
+      ? P - material_.viscousStress(s.F, rate(s.before - tensor::I))
+      : P;
+}
+
+
+Foam::tensor Foam::fsbi::elasticOperator::priorStress(const label v) const
+{
+    return inv(prior_[v]) & material_.stress(prior_[v]);
 }
 
 
@@ -76,20 +105,75 @@ Foam::tensor Foam::fsbi::elasticOperator::pushed
 }
 
 
-Foam::tensor Foam::fsbi::elasticOperator::pushedTangent
+Foam::tensor Foam::fsbi::elasticOperator::meshStress(const label v) const
+{
+    if (formulation_ == formulation::slowProcess)
+    {
+        const strained s(step(v));
+        return (s.F & priorStress(v)) + lawStress(s);
+    }
+    return pushed(v, material_.linear() ? linearStress(v) : lawStress(total(v)));
+}
+
+
+Foam::tensor Foam::fsbi::elasticOperator::meshTangent
 (
-    const label v, const tensor& dF, const tensor& dP
+    const label v, const tensor& dH, const scalar dp
 ) const
 {
-    if (formulation_ != formulation::slowProcess)
+    if (formulation_ == formulation::slowProcess)
+    {
+        return (dH & priorStress(v)) + lawTangent(step(v), dH, dp);
+    }
+    const strained s(total(v));
+    const tensor dF(dH & prior_[v]);
+    const tensor dP(lawTangent(s, dF, dp));
+    if (formulation_ != formulation::slowProcessTotalStrain)
     {
         return pushed(v, dP);
     }
     // of F'' S, S = F^-1 P
-    const tensor inverse(inv(F_[v]));
-    const tensor S(inverse & lawStress(v));
+    const tensor inverse(inv(s.F));
+    const tensor S(inverse & lawStress(s));
     const tensor dS(inverse & (dP - (dF & S)));
-    return (dGradient_[v] & S) + ((tensor::I + gradient_[v]) & dS);
+    return (dH & S) + ((tensor::I + gradient_[v]) & dS);
+}
+
+
+Foam::tensor Foam::fsbi::elasticOperator::stressOfPressure
+(
+    const label v
+) const
+{
+    return
+        formulation_ == formulation::slowProcess
+      ? material_.thetaGradient(tensor::I + gradient_[v])
+      : pushed(v, material_.thetaGradient(F_[v]));
+}
+
+
+Foam::scalar Foam::fsbi::elasticOperator::volumeChange(const label v) const
+{
+    if (formulation_ == formulation::slowProcess)
+    {
+        return material_.theta(prior_[v]) + material_.theta(step(v).F);
+    }
+    return
+        material_.linear()
+      ? material_.thetaGradient(F_[v]) && gradient_[v]
+      : material_.theta(F_[v]);
+}
+
+
+Foam::scalar Foam::fsbi::elasticOperator::volumeTangent
+(
+    const label v, const tensor& dH
+) const
+{
+    return
+        formulation_ == formulation::slowProcess
+      ? material_.thetaGradient(step(v).F) && dH
+      : material_.thetaGradient(F_[v]) && (dH & prior_[v]);
 }
 
 
@@ -101,10 +185,12 @@ void Foam::fsbi::elasticOperator::setStress()
         F_[v] = (tensor::I + gradient_[v]) & prior_[v];
         if (!material_.defined(F_[v]))
         {
+            // so that the law can be asked; nobody uses the answer
             valid_ = false;
+            gradient_[v] = Zero;
             F_[v] = prior_[v];
         }
-        stress_[v] = pushed(v, lawStress(v));
+        stress_[v] = meshStress(v);
     }
 }
 
@@ -115,7 +201,8 @@ Foam::fsbi::elasticOperator::vertexStress() const
     auto result = tmp<symmTensorField>::New(mesh_.nPoints());
     forAll(result(), v)
     {
-        result.ref()[v] = material_.Cauchy(lawStress(v), F_[v]);
+        result.ref()[v] =
+            material_.Cauchy(stress_[v], tensor::I + gradient_[v]);
     }
     return result;
 }
