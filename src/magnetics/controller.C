@@ -39,6 +39,8 @@ Foam::fsbi::controller::controller
     around_(around),
     normal_(Zero),
     next_(0),
+    leg_(0),
+    lastLeg_(0),
     arrived_(false),
     told_(true)
 {
@@ -83,7 +85,9 @@ void Foam::fsbi::controller::readBodies(const checkedDictionary& entries)
         }
         const checkedDictionary body(e.dict());
         bodies_.append(around_.bodyIndex(e.keyword(), dict));
-        targets_.append(body.get<point>("target"));
+        points_.append(body.getOrDefault<pointField>("via", pointField()));
+        points_.last().append(body.get<point>("target"));
+        lastLeg_ = max(lastLeg_, points_.last().size() - 1);
         advances.append(body.get<scalar>("advance"));
         stepOuts.append(body.positive("stepOut"));
         body.finish();
@@ -186,13 +190,21 @@ Foam::scalarField Foam::fsbi::controller::currents(const scalar t) const
 
 Foam::vectorField Foam::fsbi::controller::ways() const
 {
-    vectorField result(targets_);
+    vectorField result(bodies_.size());
     forAll(result, i)
     {
-        result[i] -= around_.bodies[bodies_[i]].placed().centre;
+        result[i] =
+            points_[i][min(leg_, points_[i].size() - 1)]
+          - around_.bodies[bodies_[i]].placed().centre;
         result[i] -= (result[i] & normal_)*normal_;
     }
     return result;
+}
+
+
+bool Foam::fsbi::controller::there() const
+{
+    return max(mag(ways())) <= tolerance_;
 }
 
 
@@ -236,8 +248,11 @@ Foam::label Foam::fsbi::controller::chosen(const vectorField& times) const
 
 void Foam::fsbi::controller::measure(const scalar t)
 {
-    const vectorField left(ways());
-    const bool there = max(mag(left)) <= tolerance_;
+    while (leg_ < lastLeg_ && there())
+    {
+        ++leg_;
+    }
+    const bool arrived = there();
     const vector was
     (
         now_.mode < 0 ? now_.from : direction(now_, min(t, now_.stop))
@@ -247,9 +262,9 @@ void Foam::fsbi::controller::measure(const scalar t)
     now_.from = was;
     now_.start = now_.stop = t;
     next_ = t + period_;
-    if (!there)
+    if (!arrived)
     {
-        const vectorField times(law_->times(left));
+        const vectorField times(law_->times(ways()));
         const label mode = chosen(times);
         now_.mode = mode;
         now_.stop = t + min(mag(times[mode]), period_);
@@ -257,8 +272,8 @@ void Foam::fsbi::controller::measure(const scalar t)
         now_.axis = axisFor(now_.heading);
         now_.from = begin(now_.axis, was);
     }
-    told_ = there && arrived_;
-    arrived_ = there;
+    told_ = arrived && arrived_;
+    arrived_ = arrived;
 }
 
 
@@ -275,6 +290,10 @@ void Foam::fsbi::controller::report() const
             << now_.stop - now_.start << " heading " << now_.heading
             << ", currents from "
             << coils_->currents(magnitude_*now_.from);
+    }
+    if (lastLeg_ > 0)
+    {
+        Info<< ", leg " << leg_ + 1 << " of " << lastLeg_ + 1;
     }
     Info<< ", distances";
     const scalarField distances(mag(ways()));
@@ -324,7 +343,7 @@ void Foam::fsbi::controller::declare(recording& history) const
     {
         columns.append("I." + name);
     }
-    columns.append(wordList({"mode", "hx", "hy", "hz"}));
+    columns.append(wordList({"mode", "hx", "hy", "hz", "leg"}));
     for (const label b : bodies_)
     {
         columns.append("distance." + around_.bodies[b].name());
@@ -344,7 +363,8 @@ void Foam::fsbi::controller::record(recording& history) const
         scalarList
         ({
             scalar(on ? o.mode + 1 : 0),
-            o.heading.x(), o.heading.y(), o.heading.z()
+            o.heading.x(), o.heading.y(), o.heading.z(),
+            scalar(leg_ + 1)
         })
     );
     row.append(mag(ways())());
@@ -355,6 +375,7 @@ void Foam::fsbi::controller::record(recording& history) const
 void Foam::fsbi::controller::save(dictionary& state) const
 {
     state.set("next", next_);
+    state.set("leg", leg_);
     state.set("arrived", arrived_);
     state.set("told", told_);
     for (const bool last : {true, false})
@@ -375,6 +396,7 @@ void Foam::fsbi::controller::save(dictionary& state) const
 void Foam::fsbi::controller::restore(const dictionary& state)
 {
     next_ = state.get<scalar>("next");
+    leg_ = state.get<label>("leg");
     arrived_ = state.get<bool>("arrived");
     told_ = state.get<bool>("told");
     for (const bool last : {true, false})

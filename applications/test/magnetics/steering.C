@@ -251,6 +251,99 @@ static void checkHold(checks& c)
 }
 
 
+//- The last row of the controller's table
+class lastRow
+:
+    public recording
+{
+public:
+
+    scalarList row;
+
+    void declare(const fileName&, const wordList&, const string&) override
+    {}
+
+    void append(const fileName& path, const UList<scalar>& values) override
+    {
+        if (path == "magnetics/controller")
+        {
+            row = values;
+        }
+    }
+
+    static lastRow of(const magnetics& magnets)
+    {
+        lastRow result;
+        magnets.record(result);
+        return result;
+    }
+
+    // After three currents, mode and heading
+    scalar leg() const { return row[7]; }
+    scalar distance(const label body) const { return row[8 + body]; }
+};
+
+
+//- Go on to an instant with the bodies at these places
+static lastRow measuredAt
+(
+    magneticScene& bodies, magnetics& magnets, const scalar t,
+    const point& first, const point& second
+)
+{
+    bodies[0].at.centre = first;
+    bodies[1].at.centre = second;
+    fieldAfter(bodies, magnets, t);
+    return lastRow::of(magnets);
+}
+
+
+static void checkWayPoints(checks& c)
+{
+    magneticScene bodies;
+    bodies.setClock(0, 1);
+    const auto make = [&]
+    {
+        return bodies.make(scene("target (9", "via ((4 -0.2 7)); target (9"));
+    };
+    auto magnets(make());
+    c.checkClose
+    (
+        "a body heads for its way point first",
+        lastRow::of(magnets()).distance(0), 3.7, 1e-12
+    );
+    const point via(4.1, -0.2, 0), far(8.1, 1, 0), target(3.1, -6, 0);
+    lastRow now(measuredAt(bodies, magnets(), 2.5e5, via, far));
+    c.check
+    (
+        "and waits there for the others",
+        now.leg() == 1 && mag(now.distance(0) - 0.1) < 1e-12
+    );
+    now = measuredAt(bodies, magnets(), 5e5, via, target);
+    c.check
+    (
+        "then all go on, who has no more points stays",
+        now.leg() == 2 && mag(now.distance(0) - 4.9) < 1e-12
+     && now.distance(1) < 1e-12
+    );
+    c.check
+    (
+        "the field is on again", mag(magnets->states()[0].B) > 0.9e-3
+    );
+    dictionary saved;
+    magnets->save(saved);
+    auto again(make());
+    again->restore(saved);
+    now = measuredAt(bodies, again(), 7.5e5, via - vector(2, 0, 0), far);
+    c.check("a restored one does not go back", now.leg() == 2);
+    measuredAt(bodies, again(), 1e6, point(9, -0.2, 0), target);
+    c.check
+    (
+        "at the targets there is no field", mag(again->states()[0].B) == 0
+    );
+}
+
+
 //- A body that is on its own goes straight: axis of the field, right-handed
 static vector axisOf(const std::string& drive)
 {
@@ -325,6 +418,11 @@ static void checkRefusals(checks& c)
         "a zero moment", "moment 1e-13", "moment 0",
         "'moment' must be above zero"
     );
+    refuses
+    (
+        "a way point that is no list", "target (9", "via (1 2 3); target (9",
+        "Expected a '('"
+    );
     refuses("no target", "target (9 -0.2 7);", "", "'target' not found");
     refuses("a target of two numbers", "(9 -0.2 7)", "(9 -0.2)", "expected scalar");
     refuses("a zero advance", "advance 1", "advance 0", "'advance' is zero");
@@ -368,6 +466,7 @@ void checkSteering(checks& c)
     checkLaw(c);
     checkCoils(c);
     checkHold(c);
+    checkWayPoints(c);
     checkAxes(c);
     checkRefusals(c);
 }
