@@ -17,8 +17,22 @@ Foam::fsbi::adhesion::adhesion
     const uint32_t seed
 )
 {
-    readPopulations(molecules, around);
+    readPopulations(molecules, around, seed);
     const surfacesNow surfaces(around);
+    for (population& p : populations_)
+    {
+        if (!surfaces.isWall(p.surface))
+        {
+            const bodySurface& body = surfaces.surface(p.surface);
+            p.spread
+            (
+                materialPoint::numbers
+                (
+                    p.density, p.places, body.points(), body.triangles()
+                )
+            );
+        }
+    }
     for (const entry& e : pairs)
     {
         if (!e.isDict())
@@ -37,7 +51,7 @@ Foam::fsbi::adhesion::adhesion
 
 void Foam::fsbi::adhesion::readPopulations
 (
-    const dictionary& dict, const surroundings& around
+    const dictionary& dict, const surroundings& around, const uint32_t seed
 )
 {
     const checkedDictionary surfaces(dict);
@@ -51,16 +65,22 @@ void Foam::fsbi::adhesion::readPopulations
         for (const entry& e : surfaces.subDict(names[surface]))
         {
             const checkedDictionary entries(e.dict());
-            autoPtr<population> p(new population);
-            p->surface = surface;
-            p->kind = e.keyword();
-            p->density = entries.positive("density");
+            const std::string name(names[surface] + "/" + e.keyword());
+            autoPtr<population> p
+            (
+                new population
+                {
+                    surface, e.keyword(), e.dict(), entries.positive("density"),
+                    nullptr, counterRandom(seed, name + "/places"), {}, {}, {}
+                }
+            );
             if (entries.found("blocked"))
             {
                 p->blocked = Function1<scalar>::New("blocked", e.dict());
                 entries.found("blockedCoeffs");     // Function1's own
             }
             entries.finish();
+            p->blockedAt(around.time.value());
             populations_.append(p.ptr());
         }
     }
@@ -90,6 +110,19 @@ void Foam::fsbi::adhesion::checkKinds
 }
 
 
+void Foam::fsbi::adhesion::placeSites(siteSet& s) const
+{
+    s.sites = populations_[s.receptors].molecules;
+    if (s.faces)
+    {
+        for (materialPoint& site : s.sites)
+        {
+            site = materialPoint::centroid(site.triangle);
+        }
+    }
+}
+
+
 Foam::fsbi::adhesion::siteSet& Foam::fsbi::adhesion::set
 (
     const label receptors,
@@ -114,28 +147,12 @@ Foam::fsbi::adhesion::siteSet& Foam::fsbi::adhesion::set
     (
         new siteSet
         {
-            receptors, p.surface, faces, counterRandom(seed, name + "/places"),
-            counterRandom(seed, name + "/events"), {}, {}, {}
+            receptors, p.surface, faces, counterRandom(seed, name + "/events"),
+            {}, {}
         }
     );
-    siteSet& s = sets_.last();
-    const bodySurface& body = surfaces.surface(p.surface);
-    if (faces)
-    {
-        forAll(body.triangles(), triangle)
-        {
-            s.sites.append(materialPoint::centroid(triangle));
-        }
-    }
-    else
-    {
-        s.numbers = materialPoint::numbers
-        (
-            p.density, s.places, body.points(), body.triangles()
-        );
-        s.sites = materialPoint::spread(s.numbers, s.places);
-    }
-    return s;
+    placeSites(sets_.last());
+    return sets_.last();
 }
 
 
@@ -202,20 +219,29 @@ Foam::scalar Foam::fsbi::adhesion::population::blockedAt
     const scalar time
 ) const
 {
-    return
-        blocked.valid()
-      ? max(scalar(0), min(scalar(1), blocked->value(time))) : 0;
+    const scalar part = blocked.valid() ? blocked->value(time) : 0;
+    if (!(part >= 0 && part <= 1))
+    {
+        FatalIOErrorInFunction(entries)
+            << "Entry 'blocked' is the part of the molecules that cannot bind,"
+            << " from 0 to 1, but is " << part << " at the time " << time
+            << exit(FatalIOError);
+    }
+    return part;
 }
 
 
-bool Foam::fsbi::adhesion::unblocked
-(
-    const label set, const label site, const scalar fraction
-) const
+void Foam::fsbi::adhesion::population::spread(const labelList& given)
 {
-    return
-        fraction == 0
-     || sets_[set].places.at(1, site).uniform() > fraction;
+    numbers = given;
+    molecules = materialPoint::spread(numbers, places);
+    first.setSize(numbers.size());
+    label n = 0;
+    forAll(numbers, triangle)
+    {
+        first[triangle] = n;
+        n += numbers[triangle];
+    }
 }
 
 
@@ -241,23 +267,31 @@ bool Foam::fsbi::adhesion::holds
 
 void Foam::fsbi::adhesion::save(dictionary& state) const
 {
-    forAll(sets_, i)
+    forAll(populations_, i)
     {
-        state.set(word("molecules" + Foam::name(i)), sets_[i].numbers);
+        state.set(word("molecules" + Foam::name(i)), populations_[i].numbers);
     }
 }
 
 
-void Foam::fsbi::adhesion::restore(const dictionary& state)
+bool Foam::fsbi::adhesion::restore(const dictionary& state)
 {
     // the areas of a body that has turned or deformed are not the same bits
-    forAll(sets_, i)
+    const auto key = [](const label i)
     {
-        siteSet& s = sets_[i];
-        if (!s.faces)
-        {
-            s.numbers = state.get<labelList>("molecules" + Foam::name(i));
-            s.sites = materialPoint::spread(s.numbers, s.places);
-        }
+        return word("molecules" + Foam::name(i));
+    };
+    bool fits = !state.found(key(populations_.size()));
+    for (label i = 0; fits && i < populations_.size(); ++i)
+    {
+        labelList numbers;
+        fits = state.readIfPresent(key(i), numbers)
+         && numbers.size() == populations_[i].numbers.size();
+        populations_[i].spread(numbers);
     }
+    for (siteSet& s : sets_)
+    {
+        placeSites(s);
+    }
+    return fits;
 }

@@ -12,26 +12,22 @@ Foam::fsbi::bondStep::bondStep
 (
     const adhesion& a,
     const surfacesNow& surfaces,
-    bondMap& bonds,
-    clockMap& clocks,
+    bondState& state,
     DynamicList<bondEvent>& events,
     const scalar time
 )
 :
     adhesion_(a),
     surfaces_(surfaces),
-    bonds_(bonds),
-    clocks_(clocks),
+    state_(state),
     events_(events),
-    time_(time)
+    time_(time),
+    free_(a, surfaces, state.slid, time)
 {
-    for (const auto& b : bonds_)
+    for (const auto& b : state.bonds)
     {
-        activate(b.first.first, b.first.second);
-        if (a.pairs()[b.second.pair].faces)
-        {
-            taken_.insert({b.second.ligands, b.second.end.triangle});
-        }
+        free_.take(receptor(activate(b.first.first, b.first.second)));
+        free_.take(b.second.ligand);
     }
     forAll(a.sets(), set)
     {
@@ -79,40 +75,31 @@ void Foam::fsbi::bondStep::findMolecules
 )
 {
     const adhesion::siteSet& s = adhesion_.sets()[set];
-    const adhesion::population& ligands = adhesion_.populations()[t.ligands];
-    const contactRate& rate = adhesion_.pairs()[t.pair].rate();
-    const scalar density = ligands.freeDensity(time_);
-    const scalar blocked =
-        adhesion_.populations()[s.receptors].blockedAt(time_);
+    const bondPair& pair = adhesion_.pairs()[t.pair];
+    const label other = adhesion_.populations()[t.ligands].surface;
+    const scalar density = free_.density(t.ligands);
 
+    // all molecules in reach count, whether or not they can bind
     scalar gap = GREAT, sum = 0;
     DynamicList<label> found;
-    surfacesNow::contact at;
+    candidate way{t.pair, t.ligands, 0, {}, -1};
     forAll(s.sites, site)
     {
         const point x(surfaces_.position(s.body, s.sites[site]));
-        if
-        (
-            surfaces_.find(ligands.surface, x, rate.reach(), at)
-         && adhesion_.unblocked(set, site, blocked)
-        )
+        if (surfaces_.find(other, x, pair.rate->reach(), way.at))
         {
-            const scalar k = density*rate(at.gap);
-            if (k > 0)
+            way.rate = density*pair.rate()(way.at.gap);
+            sum += way.rate;
+            gap = min(gap, way.at.gap);
+            if (offer(set, site, way))
             {
-                activate(set, site).ways.append
-                (
-                    candidate{t.pair, t.ligands, k, at, -1}
-                );
                 found.append(number_[{set, site}]);
-                sum += k;
-                gap = min(gap, at.gap);
             }
         }
     }
-    if (adhesion_.pairs()[t.pair].faceCorrection != "none" && found.size())
+    if (pair.faceCorrection != "none" && found.size())
     {
-        const scalar scale = correctedRate(t, gap)/sum;
+        const scalar scale = globalRate(t, gap)*s.sites.size()/sum;
         for (const label i : found)
         {
             active_[i].ways.last().rate *= scale;
@@ -121,39 +108,58 @@ void Foam::fsbi::bondStep::findMolecules
 }
 
 
-bool Foam::fsbi::bondStep::form
+bool Foam::fsbi::bondStep::offer
 (
-    const activeSite& s, const candidate& way,
-    counterRandom::stream& draws, bond& b
-) const
+    const label set, const label site, const candidate& way
+)
 {
+    const bool can = way.rate > 0
+     && free_.unblocked({adhesion_.sets()[set].receptors, site, 0});
+    if (can)
+    {
+        activate(set, site).ways.append(way);
+    }
+    return can;
+}
+
+
+Foam::fsbi::bond Foam::fsbi::bondStep::form
+(
+    const activeSite& s, const candidate& way, counterRandom::stream& draws
+)
+{
+    const adhesion::population& ligands = adhesion_.populations()[way.ligands];
+    bond b;
     b.pair = way.pair;
-    b.ligands = way.ligands;
     if (adhesion_.sets()[s.set].faces)
     {
+        const label n = ligands.numbers[way.triangle];
+        const label i = min(label(draws.uniform()*n), n - 1);
         b.end = materialPoint::centroid(way.triangle);
-        return !taken_.count({way.ligands, way.triangle});
+        b.ligand = {way.ligands, ligands.first[way.triangle] + i, 0};
+        return b;
     }
 
     const scalar r =
         adhesion_.pairs()[way.pair].rate->distance(way.at.gap, draws.uniform());
     const scalar angle = constant::mathematical::twoPi*draws.uniform();
     const vector& n = way.at.normal;
-    vector e1(n ^ (mag(n.x()) < 0.6 ? vector(1, 0, 0) : vector(0, 1, 0)));
-    e1 /= mag(e1);
+    const vector e1(surfacesNow::along(n));
     const vector along(Foam::cos(angle)*e1 + Foam::sin(angle)*(n ^ e1));
 
-    const label surface = adhesion_.populations()[way.ligands].surface;
-    if (surfaces_.isWall(surface))
+    b.ligand.population = way.ligands;
+    if (surfaces_.isWall(ligands.surface))
     {
         b.anchor = way.at.nearest
           + Foam::sqrt(max(sqr(r) - sqr(way.at.gap), scalar(0)))*along;
     }
     else
     {
-        b.end = surfaces_.away(surface, s.place, way.at, along, r);
+        b.end =
+            surfaces_.away(ligands.surface, s.place, way.at, along, r);
     }
-    return true;
+    b.ligand = free_.at(way.ligands, end(adhesion_, surfaces_, b));
+    return b;
 }
 
 
@@ -183,7 +189,7 @@ Foam::point Foam::fsbi::bondStep::end
     const adhesion& a, const surfacesNow& surfaces, const bond& b
 )
 {
-    const label surface = a.populations()[b.ligands].surface;
+    const label surface = a.surface(b.ligand);
     return
         surfaces.isWall(surface)
       ? b.anchor : surfaces.position(surface, b.end);
@@ -204,7 +210,7 @@ Foam::fsbi::reactingSites::clock& Foam::fsbi::bondStep::clockOf
     const label i
 )
 {
-    return clocks_[{active_[i].set, active_[i].site}];
+    return state_.clocks[{active_[i].set, active_[i].site}];
 }
 
 
@@ -221,7 +227,7 @@ Foam::scalar Foam::fsbi::bondStep::rate(const label i) const
 {
     const activeSite& s = active_[i];
     const auto bound = find(s);
-    if (bound != bonds_.end())
+    if (bound != state_.bonds.end())
     {
         const bondPair& pair = adhesion_.pairs()[bound->second.pair];
         return pair.law->kOff
@@ -245,11 +251,12 @@ void Foam::fsbi::bondStep::react
 {
     const activeSite& s = active_[i];
     const auto bound = find(s);
-    if (bound != bonds_.end())
+    if (bound != state_.bonds.end())
     {
         log(s, bound->second, time, false);
-        taken_.erase({bound->second.ligands, bound->second.end.triangle});
-        bonds_.erase(bound);
+        free_.release(receptor(s));
+        free_.release(bound->second.ligand);
+        state_.bonds.erase(bound);
         return;
     }
 
@@ -259,15 +266,13 @@ void Foam::fsbi::bondStep::react
     {
         share -= s.ways[w].rate;
     }
-    bond b;
-    // a face that is taken is still counted in the rate: it says no
-    if (form(s, s.ways[w], draws, b))
+    const bond b(form(s, s.ways[w], draws));
+    // molecules that are not free are still counted in the rate: they say no
+    if (free_.free(receptor(s)) && free_.free(b.ligand))
     {
-        if (adhesion_.sets()[s.set].faces)
-        {
-            taken_.insert({b.ligands, b.end.triangle});
-        }
+        free_.take(receptor(s));
+        free_.take(b.ligand);
         log(s, b, time, true);
-        bonds_.insert({{s.set, s.site}, b});
+        state_.bonds.insert({{s.set, s.site}, b});
     }
 }

@@ -50,21 +50,73 @@ Foam::labelList Foam::fsbi::bondStep::facesNear
 }
 
 
-Foam::scalar Foam::fsbi::bondStep::correctedRate
+Foam::scalar Foam::fsbi::bondStep::globalRate
 (
     const adhesion::target& t, const scalar gap
 ) const
 {
     const bondPair& pair = adhesion_.pairs()[t.pair];
-    const adhesion::population& ligands = adhesion_.populations()[t.ligands];
-    const bodySurface& surface = surfaces_.surface(ligands.surface);
     // closer than at rest a molecule need not be shortened: it tilts
     const scalar l = pair.faces
       ? gap - pair.roughness
       : max(gap - pair.roughness, pair.law->lambda());
-    return
-        ligands.freeDensity(time_)*surface.area()*pair.law->kOn(l)
-       *(pair.faceCorrection == "global" ? surface.triangles().size() : 1);
+    return free_.number(t.ligands)*pair.law->kOn(l);
+}
+
+
+Foam::DynamicList<Foam::fsbi::bondStep::facePair>
+Foam::fsbi::bondStep::facePairs
+(
+    const label set, const adhesion::target& t
+) const
+{
+    const label a = adhesion_.sets()[set].body;
+    const adhesion::population& ligands = adhesion_.populations()[t.ligands];
+    const label b = ligands.surface;
+    const bondPair& pair = adhesion_.pairs()[t.pair];
+    scalar reach = pair.rate->reach();
+    if (pair.faceCorrection != "none")
+    {
+        reach += 4*surfaces_.surface(b).meanEdge();
+    }
+
+    DynamicList<facePair> result;
+    const labelList others(facesNear(b, a, reach));
+    for (const label i : facesNear(a, b, reach))
+    {
+        const point x(surfaces_.centroid(a, i));
+        for (const label j : others)
+        {
+            const point y(surfaces_.centroid(b, j));
+            const label n = ligands.numbers[j];
+            if (n > 0 && magSqr(y - x) <= sqr(reach))
+            {
+                const scalar logOn = pair.law->logOn(pair.length(x, y));
+                result.append(facePair{i, j, Foam::log(scalar(n)) + logOn});
+            }
+        }
+    }
+    return result;
+}
+
+
+Foam::scalar Foam::fsbi::bondStep::meanRate
+(
+    const label set,
+    const bondPair& pair,
+    const UList<facePair>& pairs,
+    const scalar largest
+) const
+{
+    const labelList& receptors =
+        adhesion_.populations()[adhesion_.sets()[set].receptors].numbers;
+    const bool all = pair.faceCorrection == "global";
+    scalar sum = 0;
+    for (const facePair& p : pairs)
+    {
+        sum += (all ? 1 : receptors[p.i])*Foam::exp(p.logRate - largest);
+    }
+    return sum/(all ? receptors.size() : adhesion_.sets()[set].sites.size());
 }
 
 
@@ -73,63 +125,43 @@ void Foam::fsbi::bondStep::findFaces
     const label set, const adhesion::target& t
 )
 {
-    const label a = adhesion_.sets()[set].body;
-    const adhesion::population& ligands = adhesion_.populations()[t.ligands];
-    const label b = ligands.surface;
+    const adhesion::siteSet& s = adhesion_.sets()[set];
+    const adhesion::population& receptors =
+        adhesion_.populations()[s.receptors];
+    const label other = adhesion_.populations()[t.ligands].surface;
     const bondPair& pair = adhesion_.pairs()[t.pair];
-    const scalar density = ligands.freeDensity(time_);
-    const scalar gap = smallestGap(a, b, pair.rate->reach());
-    if (gap < 0 || !(density > 0))
+    const scalar gap = smallestGap(s.body, other, pair.rate->reach());
+    if (gap < 0)
     {
         return;
     }
 
     // logarithms, for with coarse faces all rates may underflow before they
     // are scaled
-    const bool scaled = pair.faceCorrection != "none";
-    const scalar reach =
-        pair.rate->reach()
-      + (scaled ? 4*surfaces_.surface(b).meanEdge() : scalar(0));
-    struct option {label i; label j; scalar logRate;};
-    DynamicList<option> options;
-    const labelList others(facesNear(b, a, reach));
+    const DynamicList<facePair> pairs(facePairs(set, t));
     scalar largest = -GREAT;
-    for (const label i : facesNear(a, b, reach))
+    for (const facePair& p : pairs)
     {
-        const point x(surfaces_.centroid(a, i));
-        for (const label j : others)
+        largest = max(largest, p.logRate);
+    }
+    scalar scale = 0;
+    if (pair.faceCorrection == "none")
+    {
+        scale = Foam::exp(largest);
+    }
+    else
+    {
+        const scalar mean = meanRate(set, pair, pairs, largest);
+        scale = mean > 0 ? globalRate(t, gap)/mean : 0;
+    }
+    for (const facePair& p : pairs)
+    {
+        const scalar k = scale*Foam::exp(p.logRate - largest);
+        const candidate way{t.pair, t.ligands, k, {}, p.j};
+        const label first = receptors.first[p.i];
+        for (label n = 0; n < receptors.numbers[p.i]; ++n)
         {
-            const point y(surfaces_.centroid(b, j));
-            if (magSqr(y - x) <= sqr(reach))
-            {
-                const scalar logRate =
-                    Foam::log(density*surfaces_.area(b, j))
-                  + pair.law->logOn(pair.length(x, y));
-                options.append(option{i, j, logRate});
-                largest = max(largest, logRate);
-            }
-        }
-    }
-
-    scalar sum = 0;
-    for (const option& o : options)
-    {
-        sum += Foam::exp(o.logRate - largest);
-    }
-    scalar scale = scaled ? 0 : Foam::exp(largest);
-    if (scaled && sum > 0)
-    {
-        scale = correctedRate(t, gap)/sum;
-    }
-    for (const option& o : options)
-    {
-        const scalar k = scale*Foam::exp(o.logRate - largest);
-        if (k > 0)
-        {
-            activate(set, o.i).ways.append
-            (
-                candidate{t.pair, t.ligands, k, {}, o.j}
-            );
+            offer(set, first + n, way);
         }
     }
 }

@@ -44,6 +44,7 @@ Foam::fsbi::bonds::bonds(const dictionary& dict, const surroundings& around)
         )
     );
     entries.finish();
+    state_.slid.setSize(surfacesNow(around).size(), Zero);
 }
 
 
@@ -54,7 +55,7 @@ Foam::point Foam::fsbi::bonds::end
     const surfacesNow& surfaces, const bond& b
 ) const
 {
-    const label surface = adhesion_->populations()[b.ligands].surface;
+    const label surface = adhesion_->surface(b.ligand);
     const point y(bondStep::end(adhesion_(), surfaces, b));
     return
         surfaces.isWall(surface)
@@ -76,13 +77,13 @@ void Foam::fsbi::bonds::apply(loads& l) const
             at.weights()
         };
     };
-    for (const auto& entry : bonds_)
+    for (const auto& entry : state_.bonds)
     {
         const bond& b = entry.second;
         const bondPair& pair = adhesion_->pairs()[b.pair];
         const adhesion::siteSet& s = adhesion_->sets()[entry.first.first];
         const materialPoint& start = s.sites[entry.first.second];
-        const label other = adhesion_->populations()[b.ligands].surface;
+        const label other = adhesion_->surface(b.ligand);
 
         const point x(now.position(s.body, start));
         const point y(end(now, b));
@@ -107,15 +108,13 @@ void Foam::fsbi::bonds::apply(loads& l) const
 
 void Foam::fsbi::bonds::beginStep()
 {
-    oldBonds_ = bonds_;
-    oldClocks_ = clocks_;
+    old_ = state_;
     events_.clear();
     const scalar dt = around_.time.deltaTValue();
     const surfacesNow now(around_);
     bondStep step
     (
-        adhesion_(), now, bonds_, clocks_, events_,
-        around_.time.value() - dt
+        adhesion_(), now, state_, events_, around_.time.value() - dt
     );
     step.advance(dt);
     dt_ = dt;
@@ -124,8 +123,7 @@ void Foam::fsbi::bonds::beginStep()
 
 void Foam::fsbi::bonds::rewind()
 {
-    bonds_ = oldBonds_;
-    clocks_ = oldClocks_;
+    state_ = old_;
     events_.clear();
     dt_ = 0;
 }
@@ -134,12 +132,19 @@ void Foam::fsbi::bonds::rewind()
 void Foam::fsbi::bonds::endStep()
 {
     const surfacesNow now(around_);
-    for (auto& entry : bonds_)
+    for (auto& entry : state_.bonds)
     {
         bond& b = entry.second;
-        if (now.isWall(adhesion_->populations()[b.ligands].surface))
+        if (now.isWall(adhesion_->surface(b.ligand)))
         {
             b.anchor = end(now, b);
+        }
+    }
+    forAll(state_.slid, surface)
+    {
+        if (now.isWall(surface))
+        {
+            state_.slid[surface] += dt_*now.wall(surface).velocity;
         }
     }
     dt_ = 0;
@@ -151,15 +156,15 @@ void Foam::fsbi::bonds::save(dictionary& state) const
     adhesion_->save(state);
     labelList labels;
     scalarList numbers;
-    for (const auto& entry : bonds_)
+    for (const auto& entry : state_.bonds)
     {
         const bond& b = entry.second;
         labels.append
         (
             labelList
             ({
-                entry.first.first, entry.first.second, b.pair, b.ligands,
-                b.end.triangle
+                entry.first.first, entry.first.second, b.pair,
+                b.ligand.population, b.ligand.i, b.ligand.j, b.end.triangle
             })
         );
         numbers.append
@@ -175,7 +180,7 @@ void Foam::fsbi::bonds::save(dictionary& state) const
 
     labelList events;
     scalarList left;
-    for (const auto& entry : clocks_)
+    for (const auto& entry : state_.clocks)
     {
         events.append
         (
@@ -188,36 +193,43 @@ void Foam::fsbi::bonds::save(dictionary& state) const
     }
     state.set("events", events);
     state.set("left", left);
+    state.set("slid", state_.slid);
 }
 
 
 void Foam::fsbi::bonds::restore(const dictionary& state)
 {
-    adhesion_->restore(state);
+    bool fits = adhesion_->restore(state);
     const labelList labels(state.get<labelList>("labels"));
     const scalarList numbers(state.get<scalarList>("numbers"));
-    bonds_.clear();
-    for (label i = 0; i < labels.size(); i += 5)
+    state_.bonds.clear();
+    for (label n = 0; 7*n < labels.size(); ++n)
     {
+        const label* l = &labels[7*n];
+        const scalar* x = &numbers[5*n];
         bond b;
-        b.pair = labels[i + 2];
-        b.ligands = labels[i + 3];
-        b.end = {labels[i + 4], numbers[i], numbers[i + 1]};
-        b.anchor = point(numbers[i + 2], numbers[i + 3], numbers[i + 4]);
-        if (!adhesion_->holds(labels[i], labels[i + 1], b.pair, b.ligands))
-        {
-            FatalErrorInFunction
-                << "The saved bonds do not fit the molecules and pairs of"
-                << " constant/effects, which must not change at a restart"
-                << exit(FatalError);
-        }
-        bonds_.insert({{labels[i], labels[i + 1]}, b});
+        b.pair = l[2];
+        b.ligand = {l[3], l[4], l[5]};
+        b.end = {l[6], x[0], x[1]};
+        b.anchor = point(x[2], x[3], x[4]);
+        fits = fits
+         && adhesion_->holds(l[0], l[1], b.pair, b.ligand.population);
+        state_.bonds.insert({{l[0], l[1]}, b});
     }
     const labelList events(state.get<labelList>("events"));
     const scalarList left(state.get<scalarList>("left"));
-    clocks_.clear();
+    state_.clocks.clear();
     forAll(left, i)
     {
-        clocks_[{events[3*i], events[3*i + 1]}] = {events[3*i + 2], left[i]};
+        state_.clocks[{events[3*i], events[3*i + 1]}] =
+            {events[3*i + 2], left[i]};
+    }
+    state_.slid = state.get<List<vector>>("slid");
+    if (!fits)
+    {
+        FatalErrorInFunction
+            << "The saved bonds do not fit the molecules and pairs of"
+            << " constant/effects, which must not change at a restart"
+            << exit(FatalError);
     }
 }

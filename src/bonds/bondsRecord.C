@@ -46,7 +46,7 @@ void Foam::fsbi::bonds::record(recording& history) const
         );
     }
     const surfacesNow now(around_);
-    for (const auto& entry : bonds_)
+    for (const auto& entry : state_.bonds)
     {
         const bond& b = entry.second;
         const bondPair& pair = adhesion_->pairs()[b.pair];

@@ -27,13 +27,13 @@ Foam::scalar Foam::fsbi::bonds::longestStep(string& reason) const
 Foam::scalar Foam::fsbi::bonds::stretchTime(const surfacesNow& now) const
 {
     scalar longest = GREAT;
-    for (const auto& entry : bonds_)
+    for (const auto& entry : state_.bonds)
     {
         const bond& b = entry.second;
         const bondPair& pair = adhesion_->pairs()[b.pair];
         const adhesion::siteSet& s = adhesion_->sets()[entry.first.first];
         const materialPoint& start = s.sites[entry.first.second];
-        const label other = adhesion_->populations()[b.ligands].surface;
+        const label other = adhesion_->surface(b.ligand);
 
         const vector d(end(now, b) - now.position(s.body, start));
         const vector v(now.velocity(other, b.end) - now.velocity(s.body, start));

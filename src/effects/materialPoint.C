@@ -39,13 +39,18 @@ Foam::labelList Foam::fsbi::materialPoint::numbers
     const UList<triFace>& triangles
 )
 {
-    labelList result(triangles.size());
-    scalar sum = random.at(0, triangles.size()).uniform();
+    labelList result(triangles.size(), Zero);
+    label n = 0;
+    scalar sum = 0, next = random.at(2, n).uniform();
     forAll(triangles, i)
     {
-        const scalar before = std::floor(sum);
         sum += density*triangles[i].tri(points).mag();
-        result[i] = label(std::floor(sum) - before);
+        while (next <= sum)
+        {
+            ++result[i];
+            ++n;
+            next = n + random.at(2, n).uniform();
+        }
     }
     return result;
 }

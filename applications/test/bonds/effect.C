@@ -224,14 +224,15 @@ static void checkSearch(checks& c)
     autoPtr<bonds> b(scene.make(what, 5));
     const adhesion& a = b->molecules();
     const surfacesNow now(scene.around());
-    bondMap none;
-    clockMap clocks;
+    bondState none;
     DynamicList<bondEvent> events;
-    const bondStep step(a, now, none, clocks, events, 0);
+    const bondStep step(a, now, none, events, 0);
 
     label found = 0, wrong = 0;
     const adhesion::siteSet& set = a.sets()[0];
     const bodySurface& other = now.surface(1);
+    const scalar density =
+        a.populations()[1].molecules.size()/other.area();
     forAll(set.sites, site)
     {
         const point x(now.position(0, set.sites[site]));
@@ -240,7 +241,7 @@ static void checkSearch(checks& c)
         {
             gap = min(gap, t.nearestPoint(x, other.points()).distance());
         }
-        const scalar k = 200*a.pairs()[0].rate()(gap);
+        const scalar k = density*a.pairs()[0].rate()(gap);
         const auto ways = step.candidates(0, site);
         found += ways != nullptr;
         wrong += (k > 0) != (ways != nullptr)
@@ -401,6 +402,30 @@ static void checkRest(checks& c)
             );
         }
         c.checkBelow("bonds move with the wall", worst, 1e-14);
+
+        // a micrometre on, the bonds are still on the patches they took
+        const label steps = 100;
+        label elsewhere = 0;
+        const surfacesNow now(scene.around());
+        List<vector> slid(now.size(), Zero);
+        slid[1] = vector(0.01 + steps*0.01, 0, 0);
+        for (label i = 0; i < steps; ++i)
+        {
+            scene.step(all(), 100);
+        }
+        freeMolecules parts(all->molecules(), now, slid, 0);
+        for (const auto& entry : all->all())
+        {
+            const molecule& m = entry.second.ligand;
+            const molecule n(parts.at(m.population, entry.second.anchor));
+            elsewhere += m < n || n < m;
+        }
+        c.check
+        (
+            "ligands move with the wall",
+            elsewhere == 0 && all->all().size() > 5,
+            std::to_string(elsewhere) + " elsewhere"
+        );
     }
     {
         // still far away: until the reach, then a thermal length

@@ -8,15 +8,23 @@ Application
 Description
     Checks of the bonds: random numbers against published vectors, rate laws
     against tables, rates over a plane against closed forms, and the events
-    against exact stochastic processes, within three standard deviations of
-    samples with fixed seeds.
+    against exact stochastic processes, also of molecules that are used up,
+    within three standard deviations of samples with fixed seeds.
+
+    fsbiTestBonds -meshes 48 40     # no checks: the table of bondRates, for
+                                    # meshes of up to 48 cells, 40 seeds
 
 \*---------------------------------------------------------------------------*/
 
 #include "bondChecks.H"
 
-int main()
+int main(int argc, char* argv[])
 {
+    if (argc == 4 && std::string(argv[1]) == "-meshes")
+    {
+        Foam::fsbi::numbersByMesh(std::stoi(argv[2]), std::stoi(argv[3]));
+        return 0;
+    }
     Foam::fsbi::checks c;
     Foam::fsbi::checkRandom(c);
     Foam::fsbi::checkLaws(c);
@@ -24,6 +32,7 @@ int main()
     Foam::fsbi::checkKinetics(c);
     Foam::fsbi::checkSpread(c);
     Foam::fsbi::checkEffect(c);
+    Foam::fsbi::checkDepletion(c);
     Foam::fsbi::checkStatistics(c);
     return c.finish();
 }

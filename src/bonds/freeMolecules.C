@@ -1,0 +1,103 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "freeMolecules.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsbi::freeMolecules::freeMolecules
+(
+    const adhesion& a,
+    const surfacesNow& surfaces,
+    const UList<vector>& slid,
+    const scalar time
+)
+:
+    adhesion_(a),
+    surfaces_(surfaces),
+    slid_(slid),
+    blocked_(a.populations().size()),
+    places_(a.populations().size())
+{
+    forAll(blocked_, i)
+    {
+        blocked_[i] = a.populations()[i].blockedAt(time);
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+const Foam::fsbi::freeMolecules::places&
+Foam::fsbi::freeMolecules::placesOf(const label population)
+{
+    if (!places_.set(population))
+    {
+        const adhesion::population& p = adhesion_.populations()[population];
+        autoPtr<places> found(new places);
+        found->points.setSize(p.molecules.size());
+        forAll(p.molecules, i)
+        {
+            found->points[i] = surfaces_.position(p.surface, p.molecules[i]);
+        }
+        // the box must be thick also around one molecule
+        treeBoundBox box(surfaces_.surface(p.surface).bounds());
+        box.inflate(0.01);
+        found->tree.reset
+        (
+            new indexedOctree<treeDataPoint>
+            (
+                treeDataPoint(found->points), box, 8, 10, 3.0
+            )
+        );
+        places_.set(population, found.ptr());
+    }
+    return places_[population];
+}
+
+
+Foam::fsbi::molecule Foam::fsbi::freeMolecules::patch
+(
+    const label population, const point& x
+) const
+{
+    const adhesion::population& p = adhesion_.populations()[population];
+    const planeWall& wall = surfaces_.wall(p.surface);
+    const vector e1(surfacesNow::along(wall.normal));
+    const vector e2(wall.normal ^ e1);
+    const vector d(Foam::sqrt(p.density)*(x - slid_[p.surface]));
+
+    counterRandom::stream offset(p.places.at(0, 0));
+    offset.uniform();       // is of adhesion::population::unblocked()
+    const scalar i = (d & e1) + offset.uniform();
+    const scalar j = (d & e2) + offset.uniform();
+    return {population, label(std::floor(i)), label(std::floor(j))};
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsbi::freeMolecules::density(const label population) const
+{
+    const adhesion::population& p = adhesion_.populations()[population];
+    return
+        surfaces_.isWall(p.surface)
+      ? p.density
+      : p.molecules.size()/surfaces_.surface(p.surface).area();
+}
+
+
+Foam::fsbi::molecule Foam::fsbi::freeMolecules::at
+(
+    const label population, const point& x
+)
+{
+    if (surfaces_.isWall(adhesion_.populations()[population].surface))
+    {
+        return patch(population, x);
+    }
+    const auto& tree = placesOf(population).tree();
+    return {population, tree.findNearest(x, sqr(GREAT)).index(), 0};
+}
