@@ -37,9 +37,12 @@ def explicit(kind, tau, steps):
     for step in steps:
         s, run = slip(kind, "explicitEuler", step)
         factor = amplification(s)
+        # bound: on these edges the drag may be 2 % off (S5, coarse form), a torque, as the
+        # radius's third power, 3 %; the factor 1 - dt/tau by that times dt/tau
         results.add(f"explicitEuler_{kind}_factor_{step}us_abs", factor, 1 - step / tau,
                     0.03 * max(1, step / tau), seconds=run.seconds, cells=run.cells)
         grows = abs(s[-1]) > abs(s[1])
+        # bound: theory, it diverges above two relaxation times
         results.add(f"explicitEuler_{kind}_diverges_{step}us_abs", float(grows),
                     float(step > 2 * tau), 0)
         found.append((step / tau, abs(factor)))
@@ -49,6 +52,7 @@ def explicit(kind, tau, steps):
 def stable(integrator, kind, step):
     """Far above the limits of explicitEuler the body follows the flow."""
     s, run = slip(kind, integrator, step)
+    # bound: the project's case table for these scenes (S5, S6), 1 %
     results.add(f"{integrator}_{kind}_slip_{step}us_abs", abs(s[1:]).max(), 0, 0.01,
                 seconds=run.seconds, cells=run.cells)
 

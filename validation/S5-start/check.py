@@ -40,6 +40,7 @@ def curve(name, bound):
     run = Case(f"runs/{name}")
     u = run.velocity(BODY)[:, 0] / SPEED
     worst = np.abs(u - law(run.time())).max()
+    # bound: the project's case table, 1 % of U
     results.add(f"u_over_U_{name}_abs", worst, 0, bound, seconds=run.seconds,
                 cells=run.cells)
     return run.time(), u
@@ -48,8 +49,10 @@ def curve(name, bound):
 def domain():
     """Drag in the tutorial's domain against one 8 times as wide."""
     here, wide = Case("runs/curve"), Case("runs/wide")
+    # bound: the project's case table, 1 %; twice that on edges twice as long
     results.add("drag", drag(here), 1, 0.02 if quick else 0.01,
                 seconds=here.seconds, cells=here.cells)
+    # bound: the project's case table, 0.2 %
     results.add("drag_excess_by_domain_abs", drag(here) / drag(wide) - 1, 0, 2e-3,
                 seconds=wide.seconds, cells=wide.cells)
 
@@ -65,6 +68,7 @@ def long_and_short_steps():
         worst = np.abs(u / expected - 1).max()
         found.append((z, worst, run))
     for z, worst, run in sorted(found, key=lambda item: item[0]):
+        # bound: that of the drag, to which the recurrence owes its tau
         results.add(f"recurrence_step_{z:g}tau_abs", worst, 0, 0.02 if quick else 0.01,
                     seconds=run.seconds, cells=run.cells)
 
@@ -82,6 +86,7 @@ def order_in_time():
         "order.png", np.array(steps), {"velocity at 2 τ": np.array(errors)},
         xlabel="step / relaxation time τ", ylabel="error of the velocity / U",
         title="Time integration: BDF2")
+    # bound: BDF2 is of order 2
     results.at_least("order_in_time", orders["velocity at 2 τ"][-1], 1.8)
 
 
