@@ -2,14 +2,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Advance per turn of both runs, beside theory and Gaskin 2018."""
 
+import os
+
 import numpy as np
 
 from fsbi import plots
+from fsbi.case import reference
 from fsbi.history import History
+from fsbi.resistiveForce import Lighthill, helix
 
-PITCH = 2
-BOUNDARY_INTEGRAL = 0.09082     # u/(omega R), axis held; independent computation
-RESISTIVE_FORCE = 0.1197        # Abbott et al. with Lighthill's coefficients
+# of this helix, its axis held; validation/S7-helix computes it
+BOUNDARY_INTEGRAL = next(
+    row["axis_held"] for row in
+    reference(os.environ["FSBI_DIR"] + "/validation/S7-helix/reference/helix.csv")
+    if row["pitch"] == 2)
+a, b, _ = helix(Lighthill, R=1, r=0.1, pitch=2, n=5)
+RESISTIVE_FORCE = -b / a        # Abbott et al.
 
 
 def advance(folder):

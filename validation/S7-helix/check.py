@@ -1,7 +1,7 @@
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compare the resistance matrices of the helix with the independent values;
-write results.csv and draw."""
+"""Compare the resistance of the helix and how it swims with boundary integrals
+(reference/) and with resistive-force theory; write results.csv and draw."""
 
 import csv
 import glob
@@ -10,17 +10,19 @@ import sys
 
 import numpy as np
 
-from fsbi import plots
+from fsbi import plots, resistiveForce
+from fsbi.case import Case, reference
 from fsbi.results import Results
-
-# Boundary integrals (regularised Stokeslets on the surface, refined until they
-# changed by 0.05 %), F = a u + b w, T = b u + c w along the axis: R 1, pitch 2,
-# filament radius 0.1, 5 turns, mu 1
-EXACT = {"a": 36.269, "b": -3.2769, "c": 85.948}
-ADVANCE = {"axis_held": 0.09082, "axial_only": 0.09035}
+from reference import boundaryIntegral
 
 quick = sys.argv[1] == "true"
 results = Results("S7")
+EXACT = {row["pitch"]: row for row in reference("reference/helix.csv")}
+TIGHT = EXACT[2]
+NAMES = ("a", "b", "c", "axis_held", "axial_only")
+a, b, _ = resistiveForce.helix(resistiveForce.Lighthill)
+ABBOTT = -b / a
+TORQUE, SPIN, TURNS, FILAMENT = 2.03e-2, 6.2832e-5, 5, 0.1
 
 
 def read(folder):
@@ -31,7 +33,7 @@ def read(folder):
         log = file.read()
     cells = int(re.search(r"Cells: (\d+)", log)[1])
     seconds = float(re.search(r"^ *total +([0-9.]+) s", log, re.M)[1])
-    return R, cells, seconds
+    return R, dict(seconds=seconds, cells=cells)
 
 
 def measures(R):
@@ -46,27 +48,194 @@ def asymmetry(R):
     return np.abs((R - R.T) / scale).max()
 
 
-edges = sorted((float(f.removeprefix("runs/edge")) for f in glob.glob("runs/edge*")),
-               reverse=True)
-errors = {name: [] for name in (*EXACT, *ADVANCE)}
-for edge in edges:
-    R, cells, seconds = read(f"runs/edge{edge:g}")
-    cost = dict(seconds=seconds, cells=cells)
-    for name, value in measures(R).items():
-        exact = {**EXACT, **ADVANCE}[name]
-        results.add(f"{name}_edge{edge:g}", value, exact, 0.03, **cost)
-        errors[name].append(abs(value / exact - 1))
-    results.add(f"asymmetry_edge{edge:g}_abs", asymmetry(R), 0, 2e-3, **cost)
+def integrals():
+    """The reference itself: what its finest meshes leave open, one coarse mesh made
+    again, and spheres."""
+    # bound: what the independent computation was asked to reach, a sixtieth of the
+    # 3 % to be judged by it
+    results.add("reference_uncertainty_abs", TIGHT["uncertainty"], 0, 5e-4)
+    coarse = [row for row in reference("reference/convergence.csv")
+              if (row["pitch"], row["around"]) == (2, 4)][0]
+    R, _ = boundaryIntegral.resistance(boundaryIntegral.Filament(), 4)
+    again = boundaryIntegral.measures(R)
+    # bound: digits of the file
+    results.add("reference_made_again_abs",
+                max(abs(again[q] / coarse[q] - 1) for q in ("a", "b", "c")), 0, 1e-6)
+    drags, torques, edges = [], [], (8, 12, 16)
+    for around in edges:
+        R, _ = boundaryIntegral.resistance(boundaryIntegral.Filament(turns=0), around)
+        drags.append(R[1, 1] / (6 * np.pi * FILAMENT) - 1)
+        torques.append(abs((R[2, 2] - R[0, 0]) / (8 * np.pi * FILAMENT**3) - 1))
+    # bound: Stokes's drag, to a fifth of the uncertainty asked for
+    results.add("reference_sphere_drag_abs", np.abs(drags).max(), 0, 1e-4)
+    # bound: constant tractions are of second order
+    results.at_least("reference_sphere_torque_order",
+                     -np.polyfit(np.log(edges), np.log(torques), 1)[0], 1.8)
 
-if len(edges) > 2:
+
+def edges():
+    """Finer and finer meshes of the tight helix."""
+    lengths = sorted((float(f.removeprefix("runs/edge")) for f in glob.glob("runs/edge*")),
+                     reverse=True)
+    errors = {name: [] for name in NAMES}
+    for edge in lengths:
+        R, cost = read(f"runs/edge{edge:g}")
+        for name, value in measures(R).items():
+            # bound: the project's case table, 3 %
+            results.add(f"{name}_edge{edge:g}", value, TIGHT[name], 0.03, **cost)
+            errors[name].append(abs(value / TIGHT[name] - 1))
+        # bound: a fifteenth of the 3 %, so that neither half of the matrix decides
+        results.add(f"asymmetry_edge{edge:g}_abs", asymmetry(R), 0, 2e-3, **cost)
+    if len(lengths) > 2:
+        draw_edges(np.array(lengths), errors)
+
+
+def draw_edges(lengths, errors):
     figure, axes = plots.plt.subplots()
     for i, (name, error) in enumerate(errors.items()):
-        axes.loglog(edges, error, "o-", mfc="white", color=plots.COLOURS[i % 5],
+        axes.loglog(lengths, error, marker="o", mfc="white", color=plots.COLOURS[i % 5],
                     ls="-" if i < 3 else "--", label=name.replace("_", " "))
-    axes.loglog(edges, 0.02 * (np.array(edges) / edges[0]) ** 2, color="0.6", ls=":",
+    axes.loglog(lengths, 0.02 * (lengths / lengths[0]) ** 2, color="0.6", ls=":",
                 label="second order")
     axes.set(xlabel="edge on the filament (radius 0.1 µm)", ylabel="relative error")
     axes.set_title("Helix: resistance and advance", loc="left")
     axes.legend(fontsize=9)
     plots.save(figure, "convergence.png")
+
+
+def steady():
+    """A torque and a given speed, without inertia: Stokes flow is linear, the advance
+    per angle is one number of the helix."""
+    advance = {}
+    for name in ("Torque", "Spin"):
+        run = Case(f"runs/steady{name}")
+        cost = dict(seconds=run.seconds, cells=run.cells)
+        u, w = run.velocity("swimmer")[-1, 2], run.spin("swimmer")[-1, 2]
+        advance[name] = u / w
+        # bound: the project's case table, 3 %
+        results.add(f"advance_by_{name.lower()}", u / w, TIGHT["axis_held"], 0.03, **cost)
+        # bound: as before. Against Abbott's b/a [4.13] (Gaskin 2018: 1.45 and 0.86)
+        results.add(f"advance_by_{name.lower()}_over_Abbott", u / w / ABBOTT,
+                    TIGHT["axis_held"] / ABBOTT, 0.03)
+        if name == "Torque":
+            # bound: the project's case table, 3 %
+            results.add("speed_by_torque", w, TORQUE * mobility()[2], 0.03, **cost)
+    # bound: linear on one mesh, so ten times the solver's tolerance of 1e-6
+    results.add("advance_by_torque_over_by_spin", advance["Torque"] / advance["Spin"], 1,
+                1e-5)
+
+
+def exact(row):
+    """Of (y, z, turning about z)."""
+    return np.array([[row["yy"], row["yz"], row["yw"]], [row["yz"], row["a"], row["b"]],
+                     [row["yw"], row["b"], row["c"]]])
+
+
+def mobility():
+    """Velocities of the tight helix by a torque of 1."""
+    return np.linalg.solve(exact(TIGHT), [0, 0, 1])
+
+
+def inertia():
+    """Mass and moment of inertia about z of a tube of density 1: its sections are
+    across the centreline, whose sine of the helix angle is sin; the hemispheres are
+    left at the radius of the helix."""
+    arc = TURNS * np.hypot(2 * np.pi, 2)
+    sin = TURNS * 2 * np.pi / arc
+    mass = np.pi * FILAMENT**2 * (arc + 4 / 3 * FILAMENT)
+    return mass, mass * (1 + FILAMENT**2 / 4 * (2 + sin**2))
+
+
+def from_rest(R, t, torque):
+    """u along z and w after times t at a given torque, or None: with the given
+    speed w from the start."""
+    m, I = inertia()
+    if torque is None:
+        values, modes = np.linalg.eigh(R[:2, :2] / m)
+        end = np.linalg.solve(R[:2, :2], -R[:2, 2])
+        way = end[:, None] - modes @ (np.exp(-np.outer(values, t)) * (modes.T @ end)[:, None])
+        return way[1] * SPIN, np.full(len(t), SPIN)
+    root = np.sqrt([m, m, I])
+    values, modes = np.linalg.eigh(R / np.outer(root, root))
+    end = np.linalg.solve(R, [0, 0, torque]) * root
+    way = end[:, None] - modes @ (np.exp(-np.outer(values, t)) * (modes.T @ end)[:, None])
+    return way[1] / root[1], way[2] / root[2]
+
+
+def starts():
+    """From rest with the helix's own inertia: figures 4.22 and 4.23."""
+    figure, (left, right) = plots.plt.subplots(1, 2, figsize=(10.4, 4.4))
+    t = np.linspace(0, 0.15, 300)
+    for axes, name, torque in ((left, "Torque", TORQUE), (right, "Spin", None)):
+        run = Case(f"runs/start{name}")
+        u = run.velocity("swimmer")[:, 2]
+        end = mobility()[1] * TORQUE if torque else TIGHT["axis_held"] * SPIN
+        made = from_rest(exact(TIGHT), run.time(), torque)[0]
+        # bound: 3 % of the project's case table, and 2 % for time: BDF2 with steps of 0.4
+        # I/c, the first BDF1, is 1.4 % of the end off in an ordinary differential equation
+        results.add(f"start_by_{name.lower()}_abs", np.abs(u - made).max() / end, 0, 0.05)
+        unit = 1e6 if torque else 1 / (ABBOTT * SPIN)
+        axes.plot(run.time(), unit * u, ls="none", marker="o", mfc="white", markevery=2,
+                  color=plots.COLOURS[0], label="fsbiFoam")
+        axes.plot(t, unit * from_rest(exact(TIGHT), t, torque)[0], color="black", lw=1.2,
+                  label="boundary integral and inertia")
+        axes.set(xlabel="time (µs)")
+        axes.set_title(f"From rest, given {'torque' if torque else 'speed of turning'}",
+                       loc="left")
+    draw_literature(left, right, t)
+    plots.save(figure, "swimming.png")
+
+
+def draw_literature(left, right, t):
+    a, b, c = resistiveForce.helix(resistiveForce.Lighthill)
+    w = TORQUE / (c - b**2 / a) * (1 - np.exp(-t * (c - b**2 / a) / inertia()[1]))
+    left.plot(t, 1e6 * ABBOTT * w, color=plots.COLOURS[1], ls="--",
+              label="Abbott, with his viscous torque")
+    ramp = 1e6 * ABBOTT * TORQUE / inertia()[1] * t
+    left.plot(t, ramp, color=plots.COLOURS[2], ls="-.", label="Abbott, ω = T t/I [4.19]")
+    left.set(ylabel="velocity along the axis (µm/s)", ylim=(0, 40))
+    right.axhline(1, color=plots.COLOURS[1], ls="--", label="Abbott [4.13]")
+    right.axhline(0.86, color="0.5", ls=":", label="Gaskin 2018, figure 4.23")
+    right.set(ylabel="velocity / that of Abbott", ylim=(0, 1.1))
+    for axes in (left, right):
+        axes.legend(fontsize=8, loc="lower right")
+
+
+def pitches():
+    """Other coils: where resistive-force theory is meant to hold."""
+    found = {2: measures(read("runs/edge0.045")[0])}
+    for pitch in (1.5, 4, 8):
+        R, cost = read(f"runs/pitch{pitch:g}")
+        found[pitch] = measures(R)
+        for name, value in found[pitch].items():
+            # bound: the project's case table, 3 %
+            results.add(f"{name}_pitch{pitch:g}", value, EXACT[pitch][name], 0.03, **cost)
+    figure, axes = plots.plt.subplots(1, 3, figsize=(12, 4))
+    p = np.linspace(1.3, 9, 200)
+    for k, (axis, what) in enumerate(zip(axes, ("advance per angle −b/a (µm)",
+                                                "drag a (µm)", "coupling −b (µm²)"))):
+        for i, (law, label) in enumerate(((resistiveForce.Lighthill, "Abbott (Lighthill)"),
+                                          (resistiveForce.GrayHancock, "Gray and Hancock"))):
+            a, b, _ = np.array([resistiveForce.helix(law, pitch=x) for x in p]).T
+            axis.plot(p, (-b / a, a, -b)[k], color=plots.COLOURS[i + 1], ls=("--", "-.")[i],
+                      label=label)
+        ref = [EXACT[x] for x in sorted(EXACT)]
+        axis.plot([r["pitch"] for r in ref],
+                  [(r["axial_only"], r["a"], -r["b"])[k] for r in ref], ls="none",
+                  marker="+", ms=11, color="black", label="boundary integral")
+        axis.plot(sorted(found), [(found[x]["axial_only"], found[x]["a"], -found[x]["b"])[k]
+                                  for x in sorted(found)],
+                  ls="none", marker="o", mfc="none", color=plots.COLOURS[0], label="fsbiFoam")
+        axis.set(xlabel="pitch / radius of the helix", ylabel=what, ylim=(0, None))
+    axes[0].set_title("A helix of five turns, filament 0.1", loc="left")
+    axes[0].legend(fontsize=8)
+    plots.save(figure, "pitch.png")
+
+
+integrals()
+edges()
+steady()
+if not quick:
+    starts()
+    pitches()
 results.write()
