@@ -19,11 +19,12 @@ import sys
 import numpy as np
 
 import outcome
+import theory
 from scene import Body, Flow, Scene
 
-HEADER = ["seed", "verdict", "seconds", "scene", "why"]
+HEADER = ["seed", "verdict", "judged", "seconds", "scene", "may stop", "why"]
 GOOD = ("right", "stopped")
-SECONDS = 15            # then a Ctrl-C; the run has to end itself
+SECONDS = 15            # then a Ctrl-C; the run has to end itself, and goes on
 
 
 class Draw:
@@ -223,6 +224,72 @@ def overlap(scene):
     return None
 
 
+def may_stop(scene):
+    """Why a run of the scene may end with a message, known before it is run;
+    empty: it must reach its end."""
+    if scene.faulty:
+        return f"bad input: {scene.faulty}"
+    near, reach = nearest(scene), scene.end * pushed(scene)
+    # a gap of less than a third of a triangle: cells would be thinner than wide
+    if near < 0.3 * min(b.size for b in scene.bodies):
+        return f"a gap of {near:.2g}"
+    for name, entries in scene.effects.items():
+        ends = dict(repulsion=lambda e: e["range"] + e["minimumGap"],
+                    bonds=lambda e: 2 * e["pairs"]["AB"]["roughness"])
+        if name in ends and near < ends[name](entries):
+            return f"{name} across a gap of {near:.2g}"
+    if reach > near:
+        return f"may go {reach:.2g}, has room for {near:.2g}"
+    for body in scene.bodies:
+        if body.elastic and pressed(scene, body) > 0.2 * body.elastic["E"]:
+            return f"{body.name} is pressed by {pressed(scene, body) / body.elastic['E']:.2g} E"
+    return ""
+
+
+def nearest(scene):
+    """Smallest distance of balls around the bodies, or from walls."""
+    found = [(scene.flow.half - np.abs(b.position)).min() - b.R for b in scene.bodies]
+    for i, body in enumerate(scene.bodies):
+        found += [np.linalg.norm(body.position - other.position) - body.R - other.R
+                  for other in scene.bodies[:i]]
+    return min(found)
+
+
+def loads(scene, body):
+    """Largest force and torque that may drive a body."""
+    def size(key):
+        return np.linalg.norm(body.entries.get(key, (0, 0, 0)))
+    force, torque = size("force") + size("bodyForce") * 4.2 * body.R**3, size("torque")
+    magnets = scene.effects.get("magnetics", {})
+    if body.name in magnets.get("bodies", {}):
+        # as of a saturated body; A m2, T, and what that is in pg, um and us
+        moment = 1e4 * 4.2e-18 * body.R**3 * 1e15
+        fields = magnets["fields"]
+        torque += moment * max(np.linalg.norm(fields["main"].get("B", 0)),
+                               fields["main"].get("magnitude", 0))
+        force += moment * fields.get("pull", {}).get("axial", 0) * 1e-6
+    return force, torque
+
+
+def pushed(scene):
+    """Speed that the flow, the loads and what is given at most make."""
+    mu = scene.flow.viscosity
+    speed = theory.speed(mu, [(b.a - b.sag, *loads(scene, b)) for b in scene.bodies],
+                         min(b.a - b.sag for b in scene.bodies))
+    for body in scene.bodies:
+        for key, arm in (("velocity", 1), ("angularVelocity", body.R)):
+            for given in (body.constraints, body.entries):
+                speed += arm * np.linalg.norm(given.get(key, (0, 0, 0)))
+    return speed + scene.flow.fastest
+
+
+def pressed(scene, body):
+    """Stress on an elastic body: that of the flow around a sphere, 5/2 of its
+    own, and of the loads on it."""
+    force, torque = loads(scene, body)
+    return 2.5 * scene.flow.stress + force / body.a**2 + torque / body.a**3
+
+
 def spoil(draw, scene):
     """Bad input of one kind."""
     body = draw.one(*scene.bodies)
@@ -282,8 +349,12 @@ def run(seed):
     if ended.verdict in GOOD:
         shutil.rmtree(folder)
     print(f"{seed}: {ended}", flush=True)
-    return dict(seed=seed, verdict=ended.verdict, seconds=f"{ended.seconds:.1f}",
-                scene=described(scene), why=outcome.normal(ended.why)[:300])
+    judged = {"right": "partly" if ended.skipped else "fully"}.get(ended.verdict, "")
+    why = ended.why or "; ".join(ended.skipped)
+    row = dict(seed=seed, verdict=ended.verdict, judged=judged, seconds=f"{ended.seconds:.1f}",
+               scene=described(scene), why=outcome.normal(why)[:300])
+    row["may stop"] = may_stop(scene)
+    return row
 
 
 def read(path):

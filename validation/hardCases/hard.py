@@ -16,6 +16,7 @@ import sys
 import numpy as np
 
 import outcome
+import theory
 from fsbi import errors
 from fsbi.history import History
 from givenMesh import GivenBeam, sheared, shaken
@@ -98,6 +99,7 @@ def stretch150():
 
     def more(history):
         found = history["elasticBodies/cell/deformation"]["maxStretch"]
+        # bound: what the case is for
         return [("maxStretch", found.max(), ">", 1.5)]
     return scene, more
 
@@ -107,6 +109,7 @@ def incompressible(nu):
 
     def more(history):
         volume = history["elasticBodies/cell/volume"]["now"]
+        # bound: aim of the project for such bodies
         return [("volume change", np.ptp(volume) / volume[0], "<", 1e-3)]
     return scene, more
 
@@ -130,6 +133,7 @@ def softening(Ca):
 def fold022():
     def more(history):
         axes = history["elasticBodies/cell/semiAxes"].array[:, 1]
+        # bound: as of steady shapes in validation/B2-elasticSphere
         return [("change in the last shear time", abs(axes[-1] / axes[-11] - 1), "<", 2e-3)]
     return softening(0.22), more
 
@@ -153,8 +157,9 @@ def light():
         free = one(Flow("rest"), bead(force=(0.01, 0, 0)), step=1000, steps=5)
         folder = "runs/lightOverdamped"
         outcome.judge(free, folder)
+        # bound: relaxation time over the step, 2e-6, and what the solver leaves, 1e-5
         return [("speed against overdamped",
-                 abs(v / last(read(folder), "bodies/bead/velocity")[0] - 1), "<", 1e-3)]
+                 abs(v / last(read(folder), "bodies/bead/velocity")[0] - 1), "<", 1.2e-5)]
     return pushed(1e-3, 1000), more
 
 
@@ -163,9 +168,11 @@ def heavy():
     def more(history):
         v = history["bodies/bead/velocity"]
         exact = 0.01 * v["time"] / (1e3 * 4 / 3 * np.pi * 27)
-        # the facets make it lighter by 5 %, the drag slower by half a per mille
+        # bound: the drag, up to 1.51 times Stokes' in a shell of the box's width, until
+        # half a step after the end, t/2 over the relaxation time m/(6 pi mu a)
+        allowed = 1.51 * (10 + 2) / 2 * 6 * np.pi * 3 / (1e3 * 4 / 3 * np.pi * 27)
         return [("speed over F t/m of the true sphere, off 1",
-                 np.abs(v["x"] / exact - 1).max(), "<", 0.08)]
+                 np.abs(v["x"] / exact - 1).max(), "<", allowed)]
     return pushed(1e3, 2.0), more
 
 
@@ -173,10 +180,11 @@ def heavy():
 def heavyLongSteps():
     def more(history):
         v = history["bodies/bead/velocity"]["x"]
-        # in a box 20 wide: a third slower than without walls
+        # bound: walls only slow it down, and by less than a shell of 20 inside them
         free = 0.01 / (6 * np.pi * 3)
         return [("speed over that without walls", v.max() / free, "<", 1.0),
-                ("speed over that without walls, least", v[-1] / free, ">", 0.4)]
+                ("speed over that without walls, least", v[-1] / free, ">",
+                 1 / (theory.in_shell(1, 3, 20)[0] / theory.free(1, 3)[0]))]
     return pushed(1.0, 2000.0 * 1e0), more
 
 
@@ -206,12 +214,13 @@ def pair001():
 
     def more(history):
         x = last(history, "bodies/a/position") + last(history, "bodies/b/position")
-        return [("centre of the pair moves, of a radius", np.abs(x).max() / 3, "<", 0.02)]
+        # bound: the gap of each; the pair is the same from both sides
+        return [("centre of the pair moves, of a radius", np.abs(x).max() / 3, "<", 0.005)]
     return scene, more
 
 
-@case("the same gap, triangles a tenth of the radius: the speed of lubrication theory",
-      stops="near as")
+@case("the same gap, triangles a tenth of the radius: the speed of lubrication theory, or "
+      "that it is not resolved", stops="near as")
 def gap001Fine():
     flow = Flow("rest", floor=True)
     body = Body("bead", radius=3, size=0.3, overdamped=True, position=(0, -20 + 3.03, 0),
@@ -225,9 +234,10 @@ def gap001Fine():
         exact = 0.01 / (6 * np.pi * 3 * drag)
         v = -history["bodies/bead/velocity"]["y"][0]
         told = "not resolved" in outcome.read("runs/gap001Fine")
-        # facets lie a sag lower: the gap is known to that part only
-        return [("speed over lubrication's, off 1, unless told", 0 if told else
-                 abs(v / exact - 1), "<", 0.3)]
+        if told:            # a speed nobody claims is not measured
+            return [("says that the gap is not resolved", told, ">", 0.5)]
+        # bound: facets lie up to a sag of 0.006 a lower, of a gap of 0.01 a
+        return [("speed over lubrication's, off 1", abs(v / exact - 1), "<", 0.6)]
     return scene, more
 
 
@@ -260,6 +270,11 @@ def twentyBodies():
 
 # Steps too long
 
+# bound: walls slow a sphere's spin by (a/h)^3, coarse triangles change its drag by
+# 2.2 % at 0.28 of the radius (validation/B1-fluidForces) and with the square
+SPIN = (3 / 20)**3 + 0.0222 * (0.4 / 0.28)**2
+
+
 @case("a sphere in steps of 10 shear times: turns at half the shear rate, and that is told",
       quick=True)
 def longSteps():
@@ -268,24 +283,41 @@ def longSteps():
     def more(history):
         w = history["bodies/bead/angularVelocity"]["z"]
         said = outcome.read("runs/longSteps")
+        # bound: SPIN, below
         return [("turns told", "is not resolved. Take" in said.replace("\n", " "), ">", 0.5),
-                ("spin over half the rate, off 1", np.abs(-w / (RATE / 2) - 1).max(), "<", 0.05)]
+                ("spin over half the rate, off 1", np.abs(-w / (RATE / 2) - 1).max(), "<", SPIN)]
     return scene, more
 
 
-@case("an elastic sphere in steps of a shear time, 20 times the good ones: its shape, to the "
-      "third of the squared turn in a step by which the second-order scheme is off")
+# BDF2 differences what turns by th in a step with the rate 1 + th^2/3 too fast: its
+# error is dt^2/3 times the third derivative, here -(th/dt)^2 times the first. The
+# surface of a sphere in shear turns at half the rate, so that the viscous stress,
+# and with it the deformation, is off by that part at most
+def turned_too_fast(step):
+    return (step / 2)**2 / 3
+
+
+@case("an elastic sphere in steps of a shear time, 20 times the good ones, and of half of it: "
+      "its shape, to the part by which BDF2 turns it too fast; the error falls with the square")
 def longElasticSteps():
+    def scene(step, steps):
+        return one(Flow("shear", RATE), soft(0.05, nu=0.49), step=step / RATE, steps=steps)
+
     def shape(history):
         axes = last(history, "elasticBodies/cell/semiAxes")
         return (axes[0] - axes[2]) / (axes[0] + axes[2])
 
+    def other(step, steps, name):
+        outcome.judge(scene(step, steps), f"runs/longElasticSteps{name}")
+        return shape(read(f"runs/longElasticSteps{name}"))
+
     def more(history):
-        fine = one(Flow("shear", RATE), soft(0.05, nu=0.49), step=0.1 / RATE, steps=40)
-        outcome.judge(fine, "runs/longElasticStepsReference")
-        other = shape(read("runs/longElasticStepsReference"))
-        return [("deformation against short steps", abs(shape(history) / other - 1), "<", 0.5**2 / 3)]
-    return one(Flow("shear", RATE), soft(0.05, nu=0.49), step=1 / RATE, steps=6), more
+        fine = other(0.1, 60, "Reference")
+        long, half = abs(shape(history) / fine - 1), abs(other(0.5, 12, "Half") / fine - 1)
+        return [("deformation against short steps", long, "<", turned_too_fast(1)),
+                ("of half the length", half, "<", turned_too_fast(0.5)),
+                ("order", np.log2(long / half), ">", 1.8)]
+    return scene(1, 6), more
 
 
 @case("a sphere pushed at a wall, 100 times too far in a step: never in it; it may stop",
@@ -299,7 +331,7 @@ def longStepsAtWall():
 def stepsOfNothing():
     def more(history):
         w = history["bodies/bead/angularVelocity"]["z"]
-        return [("spin over half the rate, off 1", np.abs(-w / (RATE / 2) - 1).max(), "<", 0.05)]
+        return [("spin over half the rate, off 1", np.abs(-w / (RATE / 2) - 1).max(), "<", SPIN)]
     scene = one(Flow("shear", RATE), bead(), step=1e-12 / RATE)
     scene.controls["timePrecision"] = 16
     return scene, more
@@ -328,8 +360,9 @@ def hugeFlow():
     def more(history):
         outcome.judge(at(RATE), "runs/hugeFlowReference")
         other = read("runs/hugeFlowReference")
+        # bound: what the solvers leave
         paths = ("bodies/bead/position", "elasticBodies/cell/semiAxes")
-        return [(path, np.abs(last(history, path) / last(other, path) - 1).max(), "<", 1e-4)
+        return [(path, np.abs(last(history, path) / last(other, path) - 1).max(), "<", 1e-5)
                 for path in paths]
     scene = at(RATE * 1e12)
     scene.controls["timePrecision"] = 16
@@ -345,6 +378,7 @@ def zeroFlow():
     def more(history):
         v = np.abs(history["bodies/bead/velocity"].array[:, 1:]).max()
         e = history["elasticBodies/cell/energy"]["elastic"].max()
+        # bound: round-off of the box's 20 um and of its flow in a step
         return [("speed", v, "<", 1e-14), ("elastic energy", e, "<", 1e-14)]
     return scene, more
 
@@ -359,7 +393,8 @@ def hugeTorque():
 
     def more(history):
         m = history["effects/magnetics/bead"]
-        return [("angle at the end", m["angle"][-1], "<", 0.01)]
+        # bound: a step leaves 1e-6 of the turn
+        return [("angle at the end", m["angle"][-1], "<", 1e-5)]
     return scene, more
 
 
@@ -387,7 +422,8 @@ def spinningHelix():
     scene = one(Flow("rest", half=(30, 30, 30)), body, step=1 / spin, steps=70)
 
     def more(history):
-        # the thrust, a small difference of large forces, shows the coarse cells more
+        # bound: meshes of one coarseness differ by less than each from the truth, here
+        # aim of a twentieth; the thrust, a small difference of large forces, shows the coarse cells more
         t = history["bodies/helix/torque/fluid"]["z"]
         return [("torque varies by", np.ptp(t) / abs(t.mean()), "<", 0.05)]
     return scene, more
@@ -407,14 +443,12 @@ def stiffBonds():
     def more(history):
         bonds = history["effects/bonds/AB"]
         pull = np.array([bonds["f" + i] for i in "xyz"]).T
-        fluid = history["bodies/bead/force/fluid"].array[:, 1:]
-        applied = history["bodies/bead/force/applied"].array[:, 1:]
-        rest = np.abs(fluid + applied + pull).max() / max(np.abs(fluid).max(), 0.005)
-        cell = history["elasticBodies/cell/fluidForce"].array[:, 1:]
-        other = np.abs(cell - pull).max() / max(np.abs(cell).max(), 0.005)
+        acted = history["bodies/bead/force/effects"].array[:, 1:]
         return [("bonds", bonds["number"].max(), ">", 0.5),
-                ("forces on the bead off balance", rest, "<", 0.02),
-                ("forces on the cell off balance", other, "<", 0.02)]
+                # bound: a bond of 0.05 turns in a step by what the bead rolls on it
+                # at the flow's rate, 0.02 x 3: half the square of the angle
+                ("recorded force off what acted", np.abs(acted - pull).max()
+                 / np.abs(pull).max(), "<", (100 * RATE * 3 / 0.05)**2 / 2)]
     return scene, more
 
 
@@ -424,6 +458,7 @@ def given(move, bound, name, told):
     def more(history):
         found = errors.read(f"runs/{name}")
         said = "is ill-shaped" in outcome.read(f"runs/{name}")
+        # bound: as each case says
         return [("displacement off theory", found["D_l2"], "<", bound),
                 ("stress off theory", found["sigma_l2"], "<", bound),
                 ("told", said, ">", 0.5) if told else ("told", said, "<", 0.5)]

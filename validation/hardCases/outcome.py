@@ -13,6 +13,7 @@
 import os
 import re
 import shutil
+import signal
 import subprocess
 import time
 
@@ -23,23 +24,46 @@ ALIEN = re.compile(r"printStack|Segmentation|PETSC ERROR|HDF5-DIAG|terminate cal
 
 
 class Outcome:
-    def __init__(self, verdict, why="", seconds=0.0):
-        self.verdict, self.why, self.seconds = verdict, why, seconds
+    """skipped: what of a run that is right no law could judge."""
+
+    def __init__(self, verdict, why="", skipped=()):
+        self.verdict, self.why, self.skipped = verdict, why, list(skipped)
+        self.seconds = 0.0
 
     def __repr__(self):
         return f"{self.verdict} ({self.seconds:.1f} s) {self.why}"
 
 
-def solve(folder, limit, log="log.fsbiFoam"):
-    """Exit code. After `limit` seconds a Ctrl-C, after four times that the end."""
-    with open(os.path.join(folder, log), "w") as file:
-        try:
-            return subprocess.run(
-                ["timeout", "--preserve-status", "-s", "INT", "-k", str(3 * limit),
-                 str(limit), "nice", "fsbiFoam"], cwd=folder,
-                stdout=file, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL).returncode
-        finally:
-            file.flush()
+# A run that a Ctrl-C ends is continued, in so many parts
+PARTS = 2
+
+
+def solve(folder, limit, log="log.fsbiFoam", mode="w"):
+    """Exit code. After `limit` seconds of the processor's time, so that a busy machine
+    does not matter, a Ctrl-C; after four times that the end."""
+    with open(os.path.join(folder, log), mode) as file:
+        run = subprocess.Popen(["nice", "fsbiFoam"], cwd=folder, stdout=file,
+                               stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
+        interrupted = False
+        while run.poll() is None:
+            time.sleep(0.05)
+            used = processor_seconds(run.pid)
+            if used > 4 * limit:
+                run.kill()
+            elif used > limit and not interrupted:
+                run.send_signal(signal.SIGINT)
+                interrupted = True
+        return run.returncode
+
+
+def processor_seconds(pid):
+    """0 of a process that has ended."""
+    try:
+        with open(f"/proc/{pid}/stat") as file:
+            fields = file.read().rpartition(")")[2].split()
+    except OSError:
+        return 0
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def read(folder, log="log.fsbiFoam"):
@@ -114,9 +138,18 @@ def judge(scene, folder, limit=300):
     start = time.time()
     scene.write(folder)
     code = solve(folder, limit)
+    for _ in range(PARTS - 1):
+        if code or "Interrupted at" not in last_part(folder):
+            break
+        code = solve(folder, limit, mode="a")
     outcome = verdict(scene, folder, code, limit)
     outcome.seconds = time.time() - start
     return outcome
+
+
+def last_part(folder):
+    """What the last of the parts of a run said."""
+    return read(folder).rpartition("Continuing from the state")[2]
 
 
 def verdict(scene, folder, code, limit):
@@ -134,7 +167,7 @@ def verdict(scene, folder, code, limit):
         return Outcome("silent", damage) if damage else Outcome("stopped", why)
     if scene.faulty:
         return Outcome("silent", f"accepted: {scene.faulty}")
-    return Outcome(*broken_laws(scene, folder))
+    return Outcome(*broken_laws(scene, folder, said))
 
 
 def last_line(said):

@@ -48,7 +48,7 @@ def write_dictionary(path, entries, kind="dictionary"):
 
 class Flow:
     """Conditions on the box: rest, shear, uniform, Poiseuille. `fastest` is
-    the largest speed on the sides, `stress` that of the undisturbed flow."""
+    the largest speed on the sides, `stress` the mean one of the undisturbed flow."""
 
     def __init__(self, kind="rest", rate=0.0, half=(20, 20, 20), floor=False,
                  viscosity=1.0, divisions=4):
@@ -67,9 +67,24 @@ class Flow:
                  "rest": 0}[self.kind]
         return abs(self.rate) * self.half[1] * reach
 
+    def fastest_between(self, low, high):
+        """The largest speed at heights within the box."""
+        low, high = max(low, -self.half[1]), min(high, self.half[1])
+        if self.kind == "shear":
+            return abs(self.rate) * max(abs(low - self.origin), abs(high - self.origin))
+        if self.kind == "Poiseuille":
+            nearest = min(max(low, 0), high) / self.half[1]
+            return abs(self.rate) * self.half[1] * (1 - nearest**2)
+        return self.fastest
+
     @property
     def stress(self):
         return self.viscosity * self.fastest / self.half[1]
+
+    @property
+    def largest_rate(self):
+        """Of shear, at the walls."""
+        return self.stress / self.viscosity * (2 if self.kind == "Poiseuille" else 1)
 
     def conditions(self):
         still = dict(type="fixedValue", value="uniform (0 0 0)")
@@ -221,4 +236,5 @@ class Scene:
             with open(os.path.join(folder, path), "w") as file:
                 file.write(changed)
         with open(os.path.join(folder, "log.blockMesh"), "w") as log:
-            subprocess.run(["blockMesh"], cwd=folder, stdout=log, stderr=log, check=True)
+            subprocess.run(["blockMesh"], cwd=folder, stdout=log, stderr=log,
+                           check=not self.faulty)
