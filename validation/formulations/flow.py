@@ -111,7 +111,7 @@ def same_law():
         n = min(len(run.D) for run in runs)
         total, updated = (run.D[:n] for run in runs)
         angles = [run.angle[:n] for run in runs]
-        size = SIZE if name == "flow" else 0.15
+        size = SIZE if name == "flow" else 0.2
         # bound: a tenth of the error of either, so that it does not matter
         results.add(f"{name}_updated_against_total_deformation_abs",
                     np.abs(updated / total - 1).max(), 0, 0.005 * (size / 0.3)**2,
