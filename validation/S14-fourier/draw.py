@@ -44,7 +44,7 @@ def plane(number, phix, text):
     plots.save(figure, f"figure{number}.png")
 
 
-def pairs():
+def pairs(best):
     data = table("elasticity", "pairs")
     n = int(round(len(data) ** 0.5))
     gain = np.where(data["gain"] > 0, data["gain"], np.nan).reshape(n, n).T
@@ -53,8 +53,11 @@ def pairs():
     shown = axes.contourf(data["omega1"].reshape(n, n).T, data["omega2"].reshape(n, n).T,
                           gain, np.linspace(0, 2, 21), cmap="viridis")
     figure.colorbar(shown, label="speed per step over the best one factor")
-    for x, y, mark, label in ((0.585753, 3.407686, "*", "best pair: +99.9 %"),
-                              (0.601803, 2.95, "o", "best below 2.95: +78 %")):
+    for x, y, mark, label in (
+            (best["pair_lower"], best["pair_upper"], "*",
+             f"best pair: +{100 * (best['gain_2'] - 1):.1f} %"),
+            (best["capped_lower"], 2.95, "o",
+             f"best below 2.95: +{100 * (best['gain_capped'] - 1):.0f} %")):
         axes.plot([x, y], [y, x], mark, color=plots.COLOURS[1], ms=11 if mark == "*" else 7,
                   mfc="white" if mark == "o" else None, label=label)
     axes.set(xlabel="ω1", ylabel="ω2")
@@ -86,10 +89,10 @@ def seconds(rows):
     plots.save(figure, "seconds.png")
 
 
-def symbols():
+def symbols(best):
     over_waves("SOR", "figure3.4.png", "SOR, 1-D Laplace (fig. 3.4)")
     over_factor()
     plane("3.6", np.pi / 64, "π/64")
     plane("3.7", np.pi, "π")
     over_waves("elasticity", "figure3.8.png", "Elasticity, φx = φy = φz (fig. 3.8)")
-    pairs()
+    pairs(best)
