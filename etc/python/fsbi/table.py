@@ -21,7 +21,7 @@ from fsbi import results
 
 VARIANT = re.compile(
     r"_(mesh\d+|at_[\d.]+a|step_[\d.e+-]+tau|[\d.]+us|halfWidth\d+|\d+across|w[\d.]+|\d+steps"
-    r"|StVenantKirchhoff|neoHookean|displacements|tractions)(?=_|$)")
+    r"|seed\d+|StVenantKirchhoff|neoHookean|displacements|tractions)(?=_|$)")
 START, END = "<!-- results -->", "<!-- /results -->"
 
 

@@ -9,11 +9,15 @@ A surface of multiquadrics through the points measured so far (Gaskin 2018,
 
 s: mean distance of the points, tells where to measure next: where it is
 lowest near the best point, now and then far from all points. The
-neighbourhood shrinks when a measurement was no improvement; the search ends
-when it is small.
+neighbourhood shrinks when a measurement was no improvement.
+
+No such surface follows a valley with a sharp bottom, as the largest of several
+residuals has, to its end: the last part is Nelder and Mead's, with a simplex
+along the valley that the best points show.
 """
 
 import numpy as np
+from scipy.optimize import minimize
 
 
 def distances(a, b):
@@ -45,7 +49,7 @@ class Search:
 
     near = 6        # points a number that the surface goes through
     explore = 12    # every so many measurements one far from all others
-    smallest = 0.004
+    simplex = 0.06  # size of the last part's
 
     def __init__(self, dimensions, solves, seed=1):
         self.random = np.random.default_rng(seed)
@@ -61,7 +65,15 @@ class Search:
         return int(np.argmin(self.values))
 
     def finished(self):
-        return len(self.points) >= self.solves or self.radius < self.smallest
+        return len(self.points) >= self.solves
+
+    def valley(self):
+        """A simplex at the best point: long where the best ones lie, short across."""
+        best = np.array(self.points)[np.argsort(self.values)]
+        off = best[: 2 * self.dimensions + 1] - best[0]
+        _, axes = np.linalg.eigh(off.T @ off)
+        size = self.simplex * np.where(np.arange(self.dimensions) < self.dimensions - 1, 0.2, 1)
+        return np.vstack([best[0], best[0] + (axes * size).T])
 
     def next(self):
         if self.waiting:
@@ -94,3 +106,22 @@ class Search:
         if local and not explored:
             self.radius *= 1.6 if better else 0.8
             self.radius = min(self.radius, 0.25)
+
+
+def lowest(measure, dimensions, solves, seed=1):
+    """Points measured, values, index of the best one; `solves` at most."""
+    search = Search(dimensions, min(solves, 12 * dimensions), seed)
+    while not search.finished():
+        point = search.next()
+        search.add(point, measure(point))
+
+    def further(point):
+        point = np.clip(point, 0, 1)
+        search.add(point, measure(point))
+        return search.values[-1]
+
+    if len(search.points) < solves:
+        minimize(further, search.points[search.best], method="Nelder-Mead", options=dict(
+            maxfev=solves - len(search.points), initial_simplex=search.valley(),
+            xatol=1e-4, fatol=0))
+    return search.points, search.values, search.best
