@@ -14,6 +14,7 @@ Usage
     \code
     fsbiIdentifyMaterial                    // system/identifyDict
     fsbiIdentifyMaterial -export surface.csv
+    fsbiIdentifyMaterial -shape observed.stl
     \endcode
     Entries of system/identifyDict: etc/dictionaries/identifyDict. Writes to
     postProcessing/identification: material (as found), constants.csv,
@@ -25,21 +26,20 @@ Limitations
 
 \*---------------------------------------------------------------------------*/
 
-#include "identification.H"
+#include "report.H"
 #include "elasticBody.H"
 #include "petscObjects.H"
 #include "argList.H"
-#include "OFstream.H"
 #include "OSspecific.H"
 #include "IOdictionary.H"
-
-#include <gsl/gsl_cdf.h>
+#include "MeshedSurface.H"
 
 using namespace Foam;
 using namespace Foam::fsbi;
 
-//- Springs that give the displacement
-static const scalar stiff = 1e3;
+//- Springs that leave the displacement to the law, that hardly know of single
+//  displacements, and that give it
+static const scalar soft = 0.1, softer = 1e-3, stiff = 1e3;
 
 static IOdictionary caseDictionary
 (
@@ -112,6 +112,23 @@ static List<identification::constant> readConstants(const dictionary& find)
 }
 
 
+//- The body's surface as observed, of its own mesh, as STL or OBJ
+static void writeShape
+(
+    const fvMesh& mesh, const surfaceData& data, const fileName& file
+)
+{
+    const label n = mesh.nFaces() - mesh.nInternalFaces();
+    const MeshedSurface<face> surface
+    (
+        surfaceTransfer(mesh, data.x).moved(data.u),
+        faceList(SubList<face>(mesh.faces(), n, mesh.nInternalFaces())),
+        surfZoneList()
+    );
+    surface.write(file);
+}
+
+
 //- Must pressure be an unknown of its own? The same for all trials
 static bool needsPressure
 (
@@ -140,68 +157,6 @@ static bool needsPressure
 }
 
 
-static void report
-(
-    identification& found,
-    const List<identification::constant>& constants,
-    const List<scalarList>& covariance,
-    const scalar confidence,
-    const fileName& folder
-)
-{
-    const scalar t = gsl_cdf_tdist_Pinv
-    (
-        0.5 + 0.5*confidence, found.freedom()
-    );
-    mkDir(folder);
-    OFstream os(folder/"constants.csv");
-    os.precision(10);
-    os << "constant,value,lowest,highest,deviation,atLimit" << nl;
-    forAll(constants, k)
-    {
-        const auto& c = constants[k];
-        const scalar deviation = Foam::sqrt(covariance[k][k]);
-        const scalar half = t*deviation, value = found.value(k);
-        const bool sure = covariance[k][k] < GREAT;
-        const scalar low = sure ? c.value(found.at()[k] - half) : -GREAT;
-        const scalar high = sure ? c.value(found.at()[k] + half) : GREAT;
-        os << c.name << ',' << value << ',' << low << ',' << high << ','
-            << (sure ? (c.powers() ? value*deviation : deviation) : GREAT)
-            << ',' << found.limited(k) << nl;
-        Info<< "    " << c.name << " = " << value << "    ";
-        if (sure)
-        {
-            Info<< 100*confidence << " % sure: " << low << " to " << high << nl;
-        }
-        else
-        {
-            Info<< "not sure at all: the body found cannot bear small further"
-                << " forces" << nl;
-        }
-        if (found.limited(k))
-        {
-            Info<< "    " << c.name << " is at the limit of its range: widen"
-                << " it in 'find'; or the data do not determine it" << nl;
-        }
-    }
-    for (label k = 1; k < constants.size(); ++k)
-    {
-        for (label l = 0; l < k; ++l)
-        {
-            Info<< "    correlation of " << constants[l].name << " and "
-                << constants[k].name << ": "
-                << covariance[k][l]
-                  /Foam::sqrt(covariance[k][k]*covariance[l][l]) << nl;
-        }
-    }
-    OFstream law(folder/"material");
-    IOobject::writeBanner(law)
-        << "FoamFile { version 2.0; format ascii; class dictionary;"
-        << " object material; }" << nl;
-    found.law().write(law, false);
-}
-
-
 int main(int argc, char *argv[])
 {
     argList::addNote
@@ -214,6 +169,10 @@ int main(int argc, char *argv[])
     argList::addOption
     (
         "export", "file", "Write a saved state's surface as text; no more"
+    );
+    argList::addOption
+    (
+        "shape", "file", "Write the observed surface as STL or OBJ; no more"
     );
     #include "setRootCase.H"
     #include "createTime.H"
@@ -265,6 +224,16 @@ int main(int argc, char *argv[])
         data.write(args["export"]);
         return 0;
     }
+    if (args.found("shape"))
+    {
+        writeShape(mesh(), data, args["shape"]);
+        return 0;
+    }
+    const bool fromFlow = fromFile && entries.found("traction");
+    if (fromFlow)
+    {
+        data.readTractions(entries.get<fileName>("traction").expand());
+    }
 
     dictionary law
     (
@@ -284,48 +253,40 @@ int main(int argc, char *argv[])
     (
         readConstants(entries.subDict("find"))
     );
-    const bool deformed = fromFile && entries.choice
+    const bool deformed = fromFlow || (fromFile && entries.choice
     (
         "areas", {"stressFree", "deformed"}, "stressFree"
-    ) == "deformed";
-    const scalar springs = entries.positive("springs", 0.1);
+    ) == "deformed");
+    const bool tractions = entries.choice
+    (
+        "objective", {"displacement", "traction"}, "displacement"
+    ) == "traction";
+    const residualNorm norm(entries);
+    const scalar springs =
+        entries.positive
+        (
+            "springs", tractions ? stiff : norm.robust() ? softer : soft
+        );
     const scalar confidence = entries.positive("confidence", 0.95);
     const bool roughness = !entries.found("tractionError");
     const scalar given = entries.getOrDefault<scalar>("tractionError", 0);
     entries.finish();
 
     loadedBody body(mesh(), data, deformed, needsPressure(law, constants));
-    identification found(body, data, law, constants);
-
+    identification found(body, data, law, constants, tractions, norm);
     found.find(springs);
 
-    const scalar tractionError = roughness ? found.tractionError() : given;
-    const List<scalarList> covariance(found.covariance(tractionError));
     const fileName folder
     (
         runTime.path()/"postProcessing"/"identification"
     );
-    report(found, constants, covariance, confidence, folder);
-    const scalar misfit = found.misfit(), noise = found.noise();
-    const scalar ratio = found.springs();
-
-    // with the surface as observed, what does the law's traction lack?
-    body.setSprings(stiff, found.modulus());
-    body.setLaw(found.law());
-    vectorField u;
-    const scalar lack = body.solve(u) ? body.springShare() : GREAT;
-    Info<< "    standard deviations: displacement "
-        << found.displacementError() << ", traction " << tractionError << nl
-        << "    relative misfit of displacement " << misfit << ", of this noise "
-        << noise << ", model error "
-        << Foam::sqrt(max(0, sqr(misfit) - sqr(noise))) << nl
-        << "    misfit of traction over that of no stress " << lack << nl
-        << "    springs " << ratio << nl;
-    OFstream os(folder/"misfits.csv");
-    os.precision(10);
-    os << "displacement,noise,modelError,traction,springs" << nl << misfit << ','
-        << noise << ',' << Foam::sqrt(max(0, sqr(misfit) - sqr(noise))) << ','
-        << lack << ',' << ratio << nl;
+    mkDir(folder);
+    reportConstants
+    (
+        found, constants, roughness ? found.tractionError() : given, confidence,
+        folder
+    );
+    reportMisfits(found, body, norm, folder);
     Info<< "    " << body.solutions() << " solutions, "
         << runTime.elapsedCpuTime() << " s" << nl << endl;
     return 0;

@@ -8,7 +8,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <gsl/gsl_multifit_nlinear.h>
 #include <gsl/gsl_errno.h>
-#include <Eigen/Dense>
 
 namespace Foam
 {
@@ -20,11 +19,13 @@ static const scalar relativeStep = 1e-4;
 
 static const int maxIterations = 60;
 
-//- Neighbours for the roughness, of a surface with six coefficients
-static const label neighbours = 14;
+//- Of other norms than least squares: steps, the smallest part of a step, and a
+//  step that is none, over the width of a range
+static const label maxRefinements = 30;
+static const scalar smallestPart = 1e-3, converged = 1e-7;
 
-//- Of normal errors, over the median of their magnitude
-static const scalar deviationOverMedian = 1.4826;
+//- Springs with which displacements are compared
+static const scalar soft = 0.1;
 
 static identification& of(void* p)
 {
@@ -72,13 +73,17 @@ Foam::fsbi::identification::identification
     loadedBody& body,
     const surfaceData& data,
     const dictionary& law,
-    const List<constant>& constants
+    const List<constant>& constants,
+    const bool tractions,
+    const residualNorm& norm
 )
 :
     body_(body),
     data_(data),
     law_(law),
     constants_(constants),
+    tractions_(tractions),
+    norm_(norm),
     at_(constants.size()),
     slopes_(constants.size())
 {
@@ -141,6 +146,18 @@ Foam::dictionary Foam::fsbi::identification::law(const scalarList& c) const
 }
 
 
+bool Foam::fsbi::identification::displacementResidual(vectorField& r)
+{
+    if (!body_.solve(r))
+    {
+        return false;
+    }
+    r -= data_.u;
+    removeRigid(r);
+    return true;
+}
+
+
 void Foam::fsbi::identification::residual
 (
     const scalarList& c, vectorField& r
@@ -153,13 +170,16 @@ void Foam::fsbi::identification::residual
         beyond += mag(c[k] - of.coordinate(of.within(c[k])))/of.width();
     }
     body_.setLaw(law(c));
-    if (!body_.solve(r))
+    if (!displacementResidual(r))
     {
-        r = vectorField(data_.size(), vector::one*10*body_.radius());
+        const scalar unit = tractions_ ? body_.stiffness() : 1;
+        r = vectorField(nResiduals()/3, vector::one*10*unit*body_.radius());
         return;
     }
-    r -= data_.u;
-    removeRigid(r);
+    if (tractions_)
+    {
+        r = body_.springTraction();
+    }
     r *= 1 + 10*beyond;
 }
 
@@ -240,8 +260,97 @@ void Foam::fsbi::identification::find(const scalar springs)
         fit();
         if (mag(modulus() - E) < 0.3*E)
         {
-            return;
+            break;
         }
+    }
+    if (!norm_.leastSquares())
+    {
+        refine();
+    }
+    if (tractions_)
+    {
+        // for the misfit of displacement
+        body_.setSprings(soft, modulus());
+        body_.setLaw(law());
+        if (!displacementResidual(residual_))
+        {
+            collapsed();
+        }
+    }
+}
+
+
+Foam::scalar Foam::fsbi::identification::settle(vectorField& r) const
+{
+    if (!tractions_)
+    {
+        r = moved(r, rigid_, norm_.lowest(r, rigid_));
+    }
+    return norm_.cost(r);
+}
+
+
+bool Foam::fsbi::identification::lower(const scalarList& step, scalar& cost)
+{
+    const scalarList from(at_);
+    for (scalar part = 1; part > smallestPart; part /= 2)
+    {
+        scalarList to(from);
+        forAll(to, k)
+        {
+            to[k] += part*step[k];
+        }
+        vectorField r;
+        residual(to, r);
+        const scalar now = settle(r);
+        if (now < cost)
+        {
+            cost = now;
+            at_ = to;
+            residual_ = r;
+            return true;
+        }
+    }
+    return false;
+}
+
+
+void Foam::fsbi::identification::refine()
+{
+    scalar cost = settle(residual_);
+    for (label i = 0; i < maxRefinements; ++i)
+    {
+        List<vectorField> J(slopes_);
+        if (!tractions_)
+        {
+            J.append(rigid_);
+        }
+        const scalarList d(norm_.lowest(residual_, J));
+        scalar largest = 0;
+        forAll(at_, k)
+        {
+            largest = max(largest, mag(d[k])/constants_[k].width());
+        }
+        if (largest < converged || !lower(d, cost))
+        {
+            break;
+        }
+        slopes(scalarList(at_), slopes_);
+    }
+    evaluate();
+    settle(residual_);
+}
+
+
+void Foam::fsbi::identification::evaluate()
+{
+    const scalarList found(at_);
+    slopes(found, slopes_);
+    residual(found, residual_);
+    vectorField u;
+    if (!body_.solve(u))
+    {
+        collapsed();
     }
 }
 
@@ -266,7 +375,7 @@ void Foam::fsbi::identification::fit()
 {
     const untrapped scope;          // GSL takes logarithms of zero
     gsl_set_error_handler_off();
-    const label n = 3*nPoints(), p = nConstants();
+    const label n = nResiduals(), p = nConstants();
     gsl_multifit_nlinear_parameters parameters =
         gsl_multifit_nlinear_default_parameters();
     gsl_multifit_nlinear_fdf system{};
@@ -288,154 +397,5 @@ void Foam::fsbi::identification::fit()
     );
     at_ = coordinates(gsl_multifit_nlinear_position(work));
     gsl_multifit_nlinear_free(work);
-    const scalarList found(at_);
-    slopes(found, slopes_);
-    residual(found, residual_);
-    vectorField u;
-    if (!body_.solve(u))
-    {
-        collapsed();
-    }
-}
-
-
-bool Foam::fsbi::identification::limited(const label k) const
-{
-    const scalar part =
-        (at_[k] - constants_[k].coordinate(constants_[k].lowest))
-       /constants_[k].width();
-    return part < 1e-3 || part > 1 - 1e-3;
-}
-
-
-Foam::label Foam::fsbi::identification::freedom() const
-{
-    return 3*nPoints() - nConstants() - rigid_.size();
-}
-
-
-Foam::scalar Foam::fsbi::identification::displacementError() const
-{
-    return Foam::sqrt(sum(magSqr(residual_))/freedom());
-}
-
-
-Foam::scalar Foam::fsbi::identification::roughness
-(
-    const vectorField& values
-) const
-{
-    DynamicList<scalar> off;
-    forAll(data_.x, i)
-    {
-        const labelList near
-        (
-            surfaceTransfer::nearest(data_.x, data_.x[i], neighbours + 1)
-        );
-        const labelList others(SubList<label>(near, near.size() - 1, 1));
-        const scalarList weights
-        (
-            surfaceTransfer::fit(data_.x, others, data_.x[i], true)
-        );
-        vector e(values[i]);
-        scalar square = 1;
-        forAll(others, j)
-        {
-            e -= weights[j]*values[others[j]];
-            square += sqr(weights[j]);
-        }
-        for (direction k = 0; k < 3 && std::isfinite(mag(e)); ++k)
-        {
-            off.append(mag(e[k])/Foam::sqrt(square));
-        }
-    }
-    if (off.empty())
-    {
-        return 0;
-    }
-    sort(off);
-    return deviationOverMedian*off[off.size()/2];
-}
-
-
-Foam::scalar Foam::fsbi::identification::misfit() const
-{
-    vectorField u(data_.u);
-    removeRigid(u);
-    return Foam::sqrt(sum(magSqr(residual_))/sum(magSqr(u)));
-}
-
-
-Foam::scalar Foam::fsbi::identification::noise() const
-{
-    vectorField u(data_.u);
-    removeRigid(u);
-    return min
-    (
-        misfit(),
-        roughness(data_.u)*Foam::sqrt(scalar(freedom())/sum(magSqr(u)))
-    );
-}
-
-
-Foam::List<Foam::scalarList> Foam::fsbi::identification::inverse() const
-{
-    const label p = nConstants();
-    Eigen::MatrixXd JJ(p, p);
-    for (label k = 0; k < p; ++k)
-    {
-        for (label l = 0; l < p; ++l)
-        {
-            JJ(k, l) = sum(slopes_[k] & slopes_[l]);
-        }
-    }
-    const untrapped scope;          // Eigen computes with what it discards
-    const Eigen::MatrixXd inverse(JJ.inverse());
-    List<scalarList> result(p, scalarList(p));
-    for (label k = 0; k < p; ++k)
-    {
-        for (label l = 0; l < p; ++l)
-        {
-            result[k][l] = inverse(k, l);
-        }
-    }
-    return result;
-}
-
-
-Foam::List<Foam::scalarList> Foam::fsbi::identification::covariance
-(
-    const scalar tractionError
-)
-{
-    const label p = nConstants();
-    const List<scalarList> weights(inverse());
-    const surfaceTransfer& transfer = body_.transfer();
-    List<vectorField> byU(p), byT(p);
-    for (label k = 0; k < p; ++k)
-    {
-        byU[k].setSize(nPoints(), Zero);
-        for (label l = 0; l < p; ++l)
-        {
-            byU[k] += weights[k][l]*slopes_[l];
-        }
-        vectorField response, reaction;
-        if (!body_.respond(transfer.fromPoints(byU[k]), response, reaction))
-        {
-            return List<scalarList>(p, scalarList(p, GREAT));
-        }
-        byT[k] = transfer.fromFaces(body_.areas()*response);
-        byU[k] += transfer.fromFaces(reaction) - body_.stiffness()*byT[k];
-    }
-    List<scalarList> result(p, scalarList(p));
-    for (label k = 0; k < p; ++k)
-    {
-        for (label l = 0; l < p; ++l)
-        {
-            result[k][l] =
-                sqr(displacementError())*sum(byU[k] & byU[l])
-              + sqr(tractionError)*sum(byT[k] & byT[l]);
-        }
-    }
-    return result;
+    evaluate();
 }

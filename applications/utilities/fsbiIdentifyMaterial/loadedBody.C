@@ -108,32 +108,12 @@ Foam::vectorField Foam::fsbi::loadedBody::deformedAreas
     const surfaceData& data
 ) const
 {
-    pointField moved(mesh_.points());
-    boolList done(moved.size(), false);
+    const pointField moved(transfer_.moved(data.u));
     vectorField result(kinds_.size());
     forAll(result, i)
     {
-        const face& f = mesh_.faces()[mesh_.nInternalFaces() + i];
-        for (const label v : f)
-        {
-            if (!done[v])
-            {
-                const labelList near
-                (
-                    surfaceTransfer::nearest(data.x, moved[v], 9)
-                );
-                const scalarList weights
-                (
-                    surfaceTransfer::fit(data.x, near, moved[v], false)
-                );
-                forAll(near, j)
-                {
-                    moved[v] += weights[j]*data.u[near[j]];
-                }
-                done[v] = true;
-            }
-        }
-        result[i] = f.areaNormal(moved);
+        result[i] =
+            mesh_.faces()[mesh_.nInternalFaces() + i].areaNormal(moved);
     }
     return result;
 }
@@ -317,16 +297,25 @@ bool Foam::fsbi::loadedBody::respond
 }
 
 
-Foam::scalar Foam::fsbi::loadedBody::springShare() const
+Foam::vectorField Foam::fsbi::loadedBody::springTraction() const
 {
-    scalar springs = 0, forces = 0;
+    vectorField result(stiffness_*(given_ - faces_));
     forAll(kinds_, i)
     {
-        if (kinds_[i] == solidBoundary::traction)
+        if (kinds_[i] != solidBoundary::traction)
         {
-            springs += areas_[i]*magSqr(stiffness_*(given_[i] - faces_[i]));
-            forces += magSqr(force_[i])/areas_[i];
+            result[i] = Zero;
         }
     }
-    return Foam::sqrt(springs/max(forces, VSMALL));
+    return result;
+}
+
+
+Foam::scalar Foam::fsbi::loadedBody::springShare() const
+{
+    return Foam::sqrt
+    (
+        sum(areas_*magSqr(springTraction()))
+       /max(sum(areas_*magSqr(traction())), VSMALL)
+    );
 }

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceData.H"
+#include "surfaceTransfer.H"
 #include "rigidFit.H"
 #include "volFields.H"
 #include "IFstream.H"
@@ -19,11 +20,19 @@ namespace fsbi
 
 static const string header("x,y,z,ux,uy,uz,tx,ty,tz");
 
+//- Of tractions on a deformed surface, as fsbiResistance writes them
+static const string tractionHeader("x,y,z,tx,ty,tz");
+
+//- Points that the plane of a traction is fitted to, and how far the nearest may
+//  be, over the distance of these points
+static const label planePoints = 9;
+static const scalar farthest = 2;
+
 //- Below this a surface is not one
 static const label fewest = 10;
 
-//- Nine numbers of a line; false if it has others
-static bool numbers(const string& line, FixedList<scalar, 9>& row)
+//- Numbers of a line; false if it has more or less
+static bool numbers(const string& line, scalarList& row)
 {
     std::istringstream is(line);
     std::string word;
@@ -32,20 +41,20 @@ static bool numbers(const string& line, FixedList<scalar, 9>& row)
     {
         char* end = nullptr;
         const scalar value = std::strtod(word.c_str(), &end);
-        if (n == 9 || end == word.c_str() || *end > ' ')
+        if (n == row.size() || end == word.c_str() || *end > ' ')
         {
             return false;
         }
         row[n++] = value;
     }
-    return n == 9;
+    return n == row.size();
 }
 
 //- All of it finite, but a traction may be left open as a whole
-static bool sound(const FixedList<scalar, 9>& row)
+static bool sound(const scalarList& row)
 {
     label open = 0;
-    for (label i = 0; i < 9; ++i)
+    forAll(row, i)
     {
         if (!std::isfinite(row[i]))
         {
@@ -56,14 +65,15 @@ static bool sound(const FixedList<scalar, 9>& row)
             }
         }
     }
-    return open == 0 || open == 3;
+    return open == 0 || (open == 3 && row.size() == 9);
 }
 
-} // End namespace fsbi
-} // End namespace Foam
 
-
-Foam::fsbi::surfaceData Foam::fsbi::surfaceData::read(const fileName& file)
+//- Rows of a file with this header; fatal with the line where it is not one
+static List<scalarList> readRows
+(
+    const fileName& file, const string& columns, const label n
+)
 {
     IFstream is(file);
     if (!is.good())
@@ -74,17 +84,17 @@ Foam::fsbi::surfaceData Foam::fsbi::surfaceData::read(const fileName& file)
     }
     string line;
     is.getLine(line);
-    if (line != header)
+    if (line != columns)
     {
         FatalErrorInFunction
-            << file << " must begin with the line " << header.c_str()
+            << file << " must begin with the line " << columns.c_str()
             << ", but begins with '" << line.c_str() << "'"
             << exit(FatalError);
     }
-    DynamicList<vector> x, u, t;
+    DynamicList<scalarList> rows;
     for (label number = 2; is.good(); ++number)
     {
-        FixedList<scalar, 9> row;
+        scalarList row(n);
         if (!is.getLine(line).good() && line.empty())
         {
             break;
@@ -93,21 +103,85 @@ Foam::fsbi::surfaceData Foam::fsbi::surfaceData::read(const fileName& file)
         {
             FatalErrorInFunction
                 << file << ", line " << number << ", is '" << line.c_str()
-                << "', but must be nine numbers with commas between them; of"
-                << " these the three of the traction may be nan"
+                << "', but must be " << (n == 9 ? "nine" : "six")
+                << " numbers with commas between them"
+                << (n == 9 ? "; of these the three of the traction may be nan" : "")
                 << exit(FatalError);
         }
-        x.append(vector(row[0], row[1], row[2]));
-        u.append(vector(row[3], row[4], row[5]));
-        t.append(vector(row[6], row[7], row[8]));
+        rows.append(row);
     }
-    if (x.size() < fewest)
+    if (rows.size() < fewest)
     {
         FatalErrorInFunction
-            << file << " has " << x.size() << " points; a surface needs "
+            << file << " has " << rows.size() << " points; a surface needs "
             << fewest << " at least" << exit(FatalError);
     }
-    return {pointField(x), vectorField(u), vectorField(t)};
+    return List<scalarList>(std::move(rows));
+}
+
+
+static vector at(const scalarList& row, const label i)
+{
+    return vector(row[i], row[i + 1], row[i + 2]);
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::fsbi::surfaceData Foam::fsbi::surfaceData::read(const fileName& file)
+{
+    const List<scalarList> rows(readRows(file, header, 9));
+    surfaceData data
+    {
+        pointField(rows.size()), vectorField(rows.size()),
+        vectorField(rows.size())
+    };
+    forAll(rows, i)
+    {
+        data.x[i] = at(rows[i], 0);
+        data.u[i] = at(rows[i], 3);
+        data.t[i] = at(rows[i], 6);
+    }
+    return data;
+}
+
+
+void Foam::fsbi::surfaceData::readTractions(const fileName& file)
+{
+    const List<scalarList> rows(readRows(file, tractionHeader, 6));
+    pointField points(rows.size());
+    forAll(rows, i)
+    {
+        points[i] = at(rows[i], 0);
+    }
+    forAll(x, i)
+    {
+        const point now(x[i] + u[i]);
+        const labelList near
+        (
+            surfaceTransfer::nearest(points, now, planePoints)
+        );
+        const point& closest = points[near[0]];
+        if (mag(closest - now) > farthest*mag(points[near.last()] - closest))
+        {
+            FatalErrorInFunction
+                << file << " has no traction near the observed point " << now
+                << "; the nearest is at " << closest << ". It has to be that of"
+                << " the deformed surface, in the same place"
+                << exit(FatalError);
+        }
+        const scalarList weights
+        (
+            surfaceTransfer::fit(points, near, now, false)
+        );
+        const bool known = loaded(i);
+        t[i] = known ? Zero : t[i];
+        for (label j = 0; known && j < near.size(); ++j)
+        {
+            t[i] += weights[j]*at(rows[near[j]], 3);
+        }
+    }
 }
 
 

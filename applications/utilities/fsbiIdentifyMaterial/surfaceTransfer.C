@@ -19,6 +19,9 @@ namespace fsbi
 //- Points that a plane is fitted to, at least
 static const label planePoints = 9;
 
+//- Points that a surface with six coefficients is fitted to
+static const label curvedPoints = 14;
+
 //- Least cosine between faces of one side: no fit goes around an edge
 static const scalar sameSide = 0.7;
 
@@ -331,4 +334,31 @@ Foam::vectorField Foam::fsbi::surfaceTransfer::fromPoints
         }
     }
     return result;
+}
+
+
+Foam::pointField Foam::fsbi::surfaceTransfer::moved
+(
+    const vectorField& displacement
+) const
+{
+    pointField points(mesh_.points());
+    boolList done(points.size(), false);
+    forAll(faces_, i)
+    {
+        for (const label v : mesh_.faces()[mesh_.nInternalFaces() + i])
+        {
+            if (!done[v])
+            {
+                const labelList near(nearest(data_, points[v], curvedPoints));
+                const scalarList weights(fit(data_, near, points[v], true));
+                forAll(near, j)
+                {
+                    points[v] += weights[j]*displacement[near[j]];
+                }
+                done[v] = true;
+            }
+        }
+    }
+    return points;
 }

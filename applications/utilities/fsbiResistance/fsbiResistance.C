@@ -21,7 +21,15 @@ Description
 Usage
     \code
     blockMesh && fsbiResistance
+    blockMesh && fsbiResistance -tractions
     \endcode
+    -tractions: one solution with the scene's flow around the bodies at rest
+    (rolling ones at their surface velocity); writes
+    postProcessing/tractions.<body>.csv, `x,y,z,tx,ty,tz`: centres of the
+    triangles of the surface, and the fluid's force on the body per area there
+    (sum of areas times these: the force). For fsbiIdentifyMaterial, see there.
+
+    Without:
     Writes postProcessing/resistance.csv: one row per component, `body,row`
     (Fx Fy Fz Tx Ty Tz), then the columns of R, of the mobility, and `flow`, the
     force or torque of the scene's flow on bodies at rest.
@@ -142,6 +150,54 @@ static void write
 }
 
 
+//- Force per area of the fluid on a body, where the scene's flow meets it
+static void writeTractions(const fsbi::scene& scene, const label bodyi)
+{
+    const fvMesh& mesh = scene.fluid().mesh();
+    const fsbi::fluidMesh& meshing = scene.fluid().meshing();
+    const polyPatch& pp = mesh.boundaryMesh()[meshing.bodyPatch(bodyi)];
+    const label start = pp.start() - mesh.nInternalFaces();
+
+    List<pointField> points(Pstream::nProcs());
+    List<vectorField> tractions(Pstream::nProcs());
+    pointField& x = points[Pstream::myProcNo()];
+    vectorField& t = tractions[Pstream::myProcNo()];
+    x = pp.faceCentres();
+    t.setSize(pp.size());
+    forAll(t, i)
+    {
+        // sigma.S, S out of the fluid
+        t[i] = -scene.fluid().traction()[start + i]/mag(pp.faceAreas()[i]);
+    }
+    Pstream::gatherList(points);
+    Pstream::gatherList(tractions);
+    if (!Pstream::master())
+    {
+        return;
+    }
+    const fileName file
+    (
+        mesh.time().globalPath()/"postProcessing"
+       /"tractions." + meshing.bodies()[bodyi].name() + ".csv"
+    );
+    mkDir(file.path());
+    OFstream os(file);
+    os.precision(12);
+    os << "x,y,z,tx,ty,tz" << nl;
+    forAll(points, proci)
+    {
+        forAll(points[proci], i)
+        {
+            const point& p = points[proci][i];
+            const vector& force = tractions[proci][i];
+            os << p.x() << ',' << p.y() << ',' << p.z() << ',' << force.x()
+                << ',' << force.y() << ',' << force.z() << nl;
+        }
+    }
+    Info<< "Written: " << file << endl;
+}
+
+
 int main(int argc, char *argv[])
 {
     argList::addNote
@@ -151,6 +207,11 @@ int main(int argc, char *argv[])
         " 'startFrom latestTime'.\n\n"
         "    blockMesh && fsbiResistance\n\n"
         "Writes postProcessing/resistance.csv."
+    );
+    argList::addBoolOption
+    (
+        "tractions",
+        "Write the fluid's force per area on the bodies at rest; no matrices"
     );
     #include "setRootCase.H"
     #include "createTime.H"
@@ -162,6 +223,15 @@ int main(int argc, char *argv[])
         FatalErrorInFunction
             << "fsbiResistance needs a scene with rigid bodies, and with no"
             << " elastic ones" << exit(FatalError);
+    }
+    if (args.found("tractions"))
+    {
+        loadsAt(scene, scalarField(6*scene.bodies().size(), Zero));
+        forAll(scene.fluid().meshing().bodies(), bodyi)
+        {
+            writeTractions(scene, bodyi);
+        }
+        return 0;
     }
 
     const label n = 6*scene.bodies().size();
