@@ -10,7 +10,11 @@ from fsbi.results import Results
 START = -12         # um, where the tumour cell comes from
 CENTRE = 0.775      # um, the leukocyte's at the start
 quick = sys.argv[1] == "true"
-bound = 0.1 if quick else 0.05
+# bound: the issue asks for convergence with mesh and step without a number. Second
+# order: (edge/radius)^2 of the leukocyte, and shear rate times step (first order,
+# that of the first step; the others are of second)
+MESH = 0.09 if quick else 0.05        # edges of 1.2 and of 0.9 um, radius 4 um
+STEP = 5e-5 * 466
 results = Results("S10")
 
 
@@ -26,7 +30,7 @@ def figures(run):
         yield f"{name}_semiaxis", axes[name][-1]
 
 
-def compare(name, with_name, label):
+def compare(name, with_name, label, bound):
     run, other = Case(f"runs/{name}"), Case(f"runs/{with_name}")
     for (quantity, value), (_, exact) in zip(figures(run), figures(other)):
         results.add(f"{quantity}_{label}", value, exact, bound,
@@ -35,7 +39,7 @@ def compare(name, with_name, label):
           f"{run.cells} and {other.cells} cells")
 
 
-compare("mesh1", "mesh2", "by_mesh")
+compare("mesh1", "mesh2", "by_mesh", MESH)
 if not quick:
-    compare("mesh1", "shortSteps", "by_step")
+    compare("mesh1", "shortSteps", "by_step", STEP)
 results.write()
