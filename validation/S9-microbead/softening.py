@@ -85,6 +85,7 @@ def compare(runs):
     # bound: a wall and a tether load the bead besides the shear: the fold comes at
     # a Ca below that of a free sphere
     results.at_least("free_fold_over_lost_Ca", fold / (soft.lost or np.inf), 1)
+    # bound: the message is there or it is not
     results.at_least("lost_says_why", soft.says_why(), 1)
     # bound: the capillary number of the scene
     results.at_least(NEO + "_carries_Ca", neo.Ca[-1], SCENE)
@@ -97,6 +98,7 @@ def slow_process(allowed):
     for folder in sorted(glob.glob(f"runs/start_{SLOW}_0_*")):
         run = Loads(folder).read_shapes()
         found[run.Ca[-1]] = run
+        # bound: it ends or it does not
         results.at_least(f"{SLOW}_Ca{run.Ca[-1]:g}_ends", run.lost is None, 1)
     run = found[SCENE]
     creep = (run.at_end(run.stretch, 0.5) - run.at_end(run.stretch))[-1]
