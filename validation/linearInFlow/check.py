@@ -14,13 +14,12 @@ from fsbi.results import Results
 
 quick = sys.argv[1] == "true"
 RATE, CA, NU, STEP = 5e-5, 0.01, 0.3, 0.25
-SIZE = 0.35 if quick else 0.3
 LAWS = {"corotationalElastic": ellipsoid.corotational,
         "neoHookean": ellipsoid.neo_hookean}
 # bound: the error of a sphere's deformation on such meshes, by the convergence
-# study of B2-elasticSphere: 4 % at an edge of 0.3 radii, of second order; a
-# quarter more for the coarser fluid
-DEFORMATION = 0.05 * (SIZE / 0.3)**2
+# study of B2-elasticSphere: 4 % at an edge of 0.3 radii; a quarter more for the
+# coarser fluid
+DEFORMATION = 0.05
 # bound: an ellipse of deformation D is known to D*DEFORMATION in all
 # directions, its axis to half of that over D, in radians
 ANGLE = np.degrees(DEFORMATION / 2)
