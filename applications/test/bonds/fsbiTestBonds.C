@@ -11,8 +11,8 @@ Description
     against exact stochastic processes, also of molecules that are used up,
     within three standard deviations of samples with fixed seeds.
 
-    fsbiTestBonds -meshes 48 40     # no checks: the table of bondRates, for
-                                    # meshes of up to 48 cells, 40 seeds
+    fsbiTestBonds -meshes 24 40     # no checks: the table of bondRates, for
+                                    # meshes of up to 24 cells, 40 seeds
 
 \*---------------------------------------------------------------------------*/
 
