@@ -127,8 +127,10 @@ def check_outliers():
     """Noise, and some displacements that are wrong, on another mesh: l1 against l2."""
     seeds = 1 if quick else 10
     error = {}
-    for label, entries in {"least_squares": {}, "norm1": {"norm": 1},
-                           "norm2_power1": {"norm": 2, "power": 1}}.items():
+    norms = {"least_squares": {}, "norm1": {"norm": 1}}
+    if not quick:
+        norms["norm2_power1"] = {"norm": 2, "power": 1}
+    for label, entries in norms.items():
         found = [fit("trial", surface("fine", "outliers", NOISE, s, wrong="displacement"),
                      **entries)[0] for s in range(seeds)]
         error[label] = {n: np.array([f[n]["value"] / exact - 1 for f in found])

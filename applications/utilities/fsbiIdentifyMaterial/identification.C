@@ -19,10 +19,10 @@ static const scalar relativeStep = 1e-4;
 
 static const int maxIterations = 60;
 
-//- Of other norms than least squares: steps, the smallest part of a step, and a
-//  step that is none, over the width of a range
+//- Of other norms than least squares: steps, the smallest part of a step, a step
+//  that is none, over the width of a range, and a gain that is none
 static const label maxRefinements = 30;
-static const scalar smallestPart = 1e-3, converged = 1e-7;
+static const scalar smallestPart = 1e-3, converged = 1e-6, noGain = 1e-6;
 
 //- Springs with which displacements are compared
 static const scalar soft = 0.1;
@@ -331,7 +331,13 @@ void Foam::fsbi::identification::refine()
         {
             largest = max(largest, mag(d[k])/constants_[k].width());
         }
-        if (largest < converged || !lower(d, cost))
+        const scalar before = cost;
+        if
+        (
+            largest < converged
+         || !lower(d, cost)
+         || before - cost < noGain*before
+        )
         {
             break;
         }
