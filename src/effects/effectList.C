@@ -12,13 +12,14 @@ Foam::fsbi::effectList::effectList
     const UPtrList<immersedBody>& bodies,
     const List<List<triFace>>& triangles,
     const List<planeWall>& walls,
+    const List<unseenPatch>& unseen,
     const scalar mu,
     timings& t,
     const dictionary& saved
 )
 :
     timings_(t),
-    around_({time, bodies, walls, mu}),
+    around_({time, bodies, walls, mu, unseen}),
     loads_(triangles)
 {
     read(saved);
@@ -56,6 +57,47 @@ void Foam::fsbi::effectList::read(const dictionary& saved)
         Info<< "Effects: ";
         tellNames(Info);
         Info<< nl << endl;
+    }
+}
+
+
+void Foam::fsbi::effectList::tell(const word& patch, const string& what)
+{
+    if (told_.insert(patch))
+    {
+        Info<< "Warning: patch '" << patch << "' " << what.c_str() << nl << endl;
+    }
+}
+
+
+void Foam::fsbi::effectList::setWalls(const List<planeWall>& walls)
+{
+    wordHashSet gone;
+    for (const planeWall& wall : around_.walls)
+    {
+        gone.insert(wall.name);
+    }
+    for (const planeWall& wall : walls)
+    {
+        const label w = around_.findWall(wall.name);
+        gone.erase(wall.name);
+        if (w >= 0)
+        {
+            around_.walls[w] = wall;
+        }
+        else
+        {
+            tell(wall.name, "has become a plane wall; effects do not see it");
+        }
+    }
+    for (const word& name : gone.sortedToc())
+    {
+        tell
+        (
+            name,
+            "is no plane wall any more, by its velocity; effects still take it"
+            " for one"
+        );
     }
 }
 

@@ -5,6 +5,36 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "surroundings.H"
 
+void Foam::fsbi::tellUnseen
+(
+    const string& what, const UList<unseenPatch>& patches
+)
+{
+    if (patches.size())
+    {
+        Info<< what.c_str() << " these patches:" << nl;
+        for (const unseenPatch& patch : patches)
+        {
+            Info<< "    " << patch.name << ": " << patch.why.c_str() << nl;
+        }
+        Info<< endl;
+    }
+}
+
+
+Foam::string Foam::fsbi::surroundings::unseenReason(const word& name) const
+{
+    for (const unseenPatch& patch : unseen)
+    {
+        if (patch.name == name)
+        {
+            return " (a patch, but " + patch.why + ")";
+        }
+    }
+    return "";
+}
+
+
 Foam::label Foam::fsbi::surroundings::findBody(const word& name) const
 {
     forAll(bodies, b)

@@ -18,19 +18,27 @@ static const scalar stabilisationScale = 1;
 } // End namespace fsbi
 } // End namespace Foam
 
+const Foam::Enum<Foam::fsbi::stokesOperator::gradientScheme>
+Foam::fsbi::stokesOperator::gradientSchemes
+({
+    { gradientScheme::vertex, "vertex" },
+    { gradientScheme::Gauss, "Gauss" },
+    { gradientScheme::leastSquares, "leastSquares" }
+});
+
 
 Foam::fsbi::stokesOperator::stokesOperator
 (
     const fvMesh& mesh,
     const scalar mu,
     const boolList& velocityGiven,
-    const bool linearFaces
+    const schemes& s
 )
 :
     mesh_(mesh),
     stencil_(mesh),
     mu_(mu),
-    linearFaces_(linearFaces),
+    schemes_(s),
     velocityGiven_(velocityGiven)
 {
     boolList onWall(mesh.nPoints(), false);
@@ -59,13 +67,41 @@ Foam::fsbi::stokesOperator::stokesOperator
     vertexValues_.setSize(4*mesh.nPoints());
     values_.setSize(4*nCells);
     gradients_.setSize(12*nCells);
-    setStabilisation();
+    if (schemes_.gradients != gradientScheme::vertex)
+    {
+        const bool squares = schemes_.gradients == gradientScheme::leastSquares;
+        velocityGradient_.reset(new neighbourGradient(stencil_, squares));
+        pressureGradient_.reset(new neighbourGradient(stencil_, squares));
+    }
+    setGeometry();
 }
+
+
+Foam::fsbi::stokesOperator::stokesOperator
+(
+    const fvMesh& mesh, const scalar mu, const boolList& velocityGiven
+)
+:
+    stokesOperator(mesh, mu, velocityGiven, schemes())
+{}
 
 
 void Foam::fsbi::stokesOperator::update()
 {
     stencil_.update();
+    setGeometry();
+}
+
+
+void Foam::fsbi::stokesOperator::setGeometry()
+{
+    if (velocityGradient_)
+    {
+        // the weights of the walls are those of gradients through vertices
+        stencil_.setFirstOrderWalls();
+        velocityGradient_->update(velocityGiven_);
+        pressureGradient_->update(boolList(velocityGiven_.size(), false));
+    }
     setStabilisation();
 }
 
@@ -159,7 +195,7 @@ void Foam::fsbi::stokesOperator::setVertexValues
 }
 
 
-void Foam::fsbi::stokesOperator::setGradients() const
+void Foam::fsbi::stokesOperator::setVertexGradients() const
 {
     const label* start = stencil_.cellStart().cdata();
     const label* vertex = stencil_.cellVertex().cdata();
@@ -181,6 +217,26 @@ void Foam::fsbi::stokesOperator::setGradients() const
             }
         }
         std::copy_n(g, 12, gradients_.begin() + 12*celli);
+    }
+}
+
+
+void Foam::fsbi::stokesOperator::setGradients(const boundaryValues& b) const
+{
+    if (velocityGradient_)
+    {
+        velocityGradient_->set
+        (
+            values_.cdata(), 0, 3, b.faces, gradients_.data()
+        );
+        pressureGradient_->set
+        (
+            values_.cdata(), 3, 1, UList<vector>(), gradients_.data()
+        );
+    }
+    else
+    {
+        setVertexGradients();
     }
     stencil_.halo().fill(gradients_.data(), 12);
 }
@@ -288,8 +344,8 @@ void Foam::fsbi::stokesOperator::residual
 {
     std::fill_n(r, 4*mesh_.nCells(), scalar(0));
     setVertexValues(x, b);
-    setGradients();
-    linearFaces_ ? addInnerFaces<true>(r) : addInnerFaces<false>(r);
+    setGradients(b);
+    schemes_.linearFaces ? addInnerFaces<true>(r) : addInnerFaces<false>(r);
     addWarp(r);
     addBoundaryFaces(b, r, traction);
 }

@@ -168,41 +168,91 @@ Foam::boolList Foam::fsbi::flowConditions::velocityGiven
 }
 
 
+Foam::string Foam::fsbi::flowConditions::asWall
+(
+    const fvPatchVectorField& pf, planeWall& wall
+) const
+{
+    const scalar area = gSum(pf.patch().magSf());
+    const vector S(gSum(pf.patch().Sf()));
+    const vector u(gSum(vectorField(pf.patch().magSf()*pf))/area);
+    const scalar fastest = gMax(mag(pf)());
+    const scalar uneven = gMax(mag(pf - u)());
+    wall =
+    {
+        pf.patch().name(),
+        gSum(vectorField(pf.patch().magSf()*pf.patch().Cf()))/area,
+        -S/max(mag(S), VSMALL), u
+    };
+    if (mag(S) <= (1 - roundOff)*area)
+    {
+        return "not plane";
+    }
+    if (isA<tractionCondition>(pf))
+    {
+        return "its traction is given";
+    }
+    if (mag(u & S) > roundOff*fastest*area)
+    {
+        return "fluid passes through it";
+    }
+    return uneven > roundOff*fastest ? "its velocity varies" : "";
+}
+
+
+template<class Visitor>
+void Foam::fsbi::flowConditions::visitOutside
+(
+    const volVectorField& U, const Visitor& visitor
+) const
+{
+    for (const fvPatchVectorField& pf : U.boundaryField())
+    {
+        if
+        (
+            !pf.coupled() && !mesh_.isBody(pf.patch().name())
+         && gSum(pf.patch().magSf())
+        )
+        {
+            planeWall wall;
+            const string why(asWall(pf, wall));
+            visitor(wall, why);
+        }
+    }
+}
+
+
 Foam::List<Foam::fsbi::planeWall> Foam::fsbi::flowConditions::walls
 (
     const volVectorField& U
 ) const
 {
     DynamicList<planeWall> found;
-    for (const fvPatchVectorField& pf : U.boundaryField())
+    visitOutside(U, [&](const planeWall& wall, const string& why)
     {
-        if
-        (
-            pf.coupled() || isA<tractionCondition>(pf)
-         || mesh_.isBody(pf.patch().name()) || !gSum(pf.patch().magSf())
-        )
+        if (why.empty())
         {
-            continue;
+            found.append(wall);
         }
-        const scalar area = gSum(pf.patch().magSf());
-        const vector S(gSum(pf.patch().Sf()));
-        const point centre
-        (
-            gSum(vectorField(pf.patch().magSf()*pf.patch().Cf()))/area
-        );
-        const vector u(gSum(vectorField(pf.patch().magSf()*pf))/area);
-        const scalar fastest = gMax(mag(pf)());
-        const bool moves = gMax(mag(pf - u)()) <= roundOff*fastest;
-        if
-        (
-            mag(S) > (1 - roundOff)*area && moves
-         && mag(u & S) <= roundOff*fastest*area
-        )
-        {
-            found.append({pf.patch().name(), centre, -S/mag(S), u});
-        }
-    }
+    });
     return List<planeWall>(found);
+}
+
+
+Foam::List<Foam::fsbi::unseenPatch> Foam::fsbi::flowConditions::unseen
+(
+    const volVectorField& U
+) const
+{
+    DynamicList<unseenPatch> found;
+    visitOutside(U, [&](const planeWall& wall, const string& why)
+    {
+        if (why.size())
+        {
+            found.append({wall.name, why});
+        }
+    });
+    return List<unseenPatch>(found);
 }
 
 

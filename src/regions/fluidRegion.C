@@ -139,16 +139,25 @@ void Foam::fsbi::fluidRegion::createOperators()
     const dictionary& coupling =
         mesh().solutionDict().subOrEmptyDict("coupling");
     checkIntegrators(coupling);
-    const bool linearFaces =
-        checkedDictionary(coupling).choice
+    const checkedDictionary entries(coupling);
+    stokesOperator::schemes schemes;
+    schemes.linearFaces =
+        entries.choice
         (
             "faceValues", {"reconstructed", "linear"}, "reconstructed"
         ) == "linear";
+    schemes.gradients = stokesOperator::gradientSchemes
+    [
+        entries.choice
+        (
+            "gradients", stokesOperator::gradientSchemes.names(), "vertex"
+        )
+    ];
     stokes_.reset
     (
         new stokesOperator
         (
-            mesh(), mu_, conditions_.velocityGiven(U_()), linearFaces
+            mesh(), mu_, conditions_.velocityGiven(U_()), schemes
         )
     );
     linkBodies();

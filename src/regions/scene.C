@@ -415,6 +415,12 @@ Foam::scalar Foam::fsbi::scene::timeToContact
 }
 
 
+Foam::List<Foam::fsbi::unseenPatch> Foam::fsbi::scene::unseen() const
+{
+    return fluid_ ? fluid_->unseen() : List<unseenPatch>();
+}
+
+
 Foam::scalar Foam::fsbi::scene::resolvedGap() const
 {
     return fluid_ ? fluid_->meshing().resolvedGap() : 0;

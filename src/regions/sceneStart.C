@@ -82,8 +82,8 @@ void Foam::fsbi::scene::createEffects(const dictionary& saved)
     (
         new effectList
         (
-            time_, immersed_, triangles, fluid_->walls(), fluid_->mu(),
-            timings_, saved
+            time_, immersed_, triangles, fluid_->walls(), fluid_->unseen(),
+            fluid_->mu(), timings_, saved
         )
     );
     fluid_->setLoads(effects_->last());

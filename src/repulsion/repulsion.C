@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "repulsion.H"
 #include "addToRunTimeSelectionTable.H"
+#include <algorithm>
 
 namespace Foam
 {
@@ -14,8 +15,8 @@ namespace fsbi
 defineTypeNameAndDebug(repulsion, 0);
 addToRunTimeSelectionTable(effect, repulsion, entries);
 
-//- Part of the range at which the pressure stops to grow: a guess of the end of
-//  a step may lie beyond the minimum gap, a step that stands may not
+//- Part of the range below which the law goes on along its tangent: a guess of
+//  the end of a step may lie beyond the minimum gap
 static const scalar nearest = 0.01;
 
 } // End namespace fsbi
@@ -28,12 +29,19 @@ Foam::fsbi::repulsion::repulsion
 )
 :
     effect(around),
+    perTriangle_
+    (
+        checkedDictionary(dict).choice
+        (
+            "form", {"pressure", "pointForce"}, "pressure"
+        ) == "pointForce"
+    ),
     strength_(checkedDictionary(dict).get<scalar>("strength")),
     range_(checkedDictionary(dict).positive("range")),
     minimumGap_(dict.getOrDefault<scalar>("minimumGap", 0))
 {
     const checkedDictionary entries(dict);
-    for (const word key : {"strength", "range", "minimumGap", "libs"})
+    for (const word key : {"form", "strength", "range", "minimumGap", "libs"})
     {
         entries.found(key);
     }
@@ -45,6 +53,7 @@ Foam::fsbi::repulsion::repulsion
     }
     entries.found("between") ? readPairs(dict) : findAll();
     entries.finish();
+    tellUnseen("Nothing is repelled from", unrepelled());
 
     string reason;
     if (!acceptable(reason))
@@ -81,8 +90,9 @@ void Foam::fsbi::repulsion::readPairs(const dictionary& dict)
             {
                 FatalIOErrorInFunction(dict)
                     << "There is no body or plane wall '" << name
-                    << "' for 'between'; valid are " << flatOutput(valid)
-                    << exit(FatalIOError);
+                    << "' for 'between'"
+                    << around_.unseenReason(name).c_str() << "; valid are "
+                    << flatOutput(valid) << exit(FatalIOError);
             }
         }
         sort(numbers);      // bodies before walls
@@ -98,6 +108,22 @@ void Foam::fsbi::repulsion::readPairs(const dictionary& dict)
         }
         pairs_.append(pair({numbers[0], numbers[1]}));
     }
+}
+
+
+Foam::List<Foam::fsbi::unseenPatch> Foam::fsbi::repulsion::unrepelled() const
+{
+    List<unseenPatch> others(around_.unseen);
+    forAll(around_.walls, w)
+    {
+        const label wall = around_.bodies.size() + w;
+        const auto has = [=](const pair& p) { return p[1] == wall; };
+        if (std::none_of(pairs_.begin(), pairs_.end(), has))
+        {
+            others.append({around_.walls[w].name, "not in 'between'"});
+        }
+    }
+    return others;
 }
 
 
@@ -135,8 +161,11 @@ void Foam::fsbi::repulsion::push
     loads& l
 ) const
 {
-    const scalar d = max(n.gap - minimumGap_, nearest*range_);
-    const scalar k = part*strength_*now.area(body, n.triangle);
+    const scalar k =
+        part*strength_*(perTriangle_ ? 1 : now.area(body, n.triangle));
+    const scalar gap = n.gap - minimumGap_;
+    const scalar d = max(gap, nearest*range_);
+    const scalar slope = 3/pow4(d);
     const auto site = [&](const label on, const label tri, const point& x)
     {
         const bodySurface& s = now.surface(on);
@@ -152,8 +181,8 @@ void Foam::fsbi::repulsion::push
             site(body, n.triangle, n.centre),
             now.isWall(other)
           ? loads::site() : site(other, n.otherTriangle, n.nearest),
-            k*(1/pow3(d) - 1/pow3(range_))*n.normal,
-            (3*k/pow4(d))*tensor(sqr(n.normal))
+            k*(1/pow3(d) - 1/pow3(range_) + slope*(d - gap))*n.normal,
+            k*slope*tensor(sqr(n.normal))
         }
     );
 }

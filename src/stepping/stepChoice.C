@@ -81,6 +81,11 @@ Foam::scalar Foam::fsbi::stepControl::smallestWanted(const scene& scene)
     const scalar maxApproach = entry("maxApproach", 0);
     if (maxApproach > 0)
     {
+        if (!approachTold_)
+        {
+            tellUnseen("maxApproach does not look at", scene.unseen());
+            approachTold_ = true;
+        }
         // gaps that a step could close by that part, at the bodies' speeds
         string names;
         const scalar reach = 2*maxTravel*largest/maxApproach;

@@ -90,6 +90,7 @@ Foam::fsbi::stepControl::stepControl(Time& time)
     stop_(false),
     gapTold_(false),
     turnTold_(false),
+    approachTold_(false),
     lastTries_(0),
     began_(-1),
     firstTime_(time.value())

@@ -1,0 +1,215 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+
+Application
+    fsbiTestRepulsion
+
+Description
+    Checks of the repulsion between spheres and beside a wall: total forces
+    against integrals over true spheres, on finer and finer triangles; balance;
+    derivatives; what is told of walls.
+
+\*---------------------------------------------------------------------------*/
+
+#include "checks.H"
+#include "twoSpheres.H"
+#include "mathematicalConstants.H"
+
+using namespace Foam;
+using namespace Foam::fsbi;
+using constant::mathematical::pi;
+
+static const scalar b = 2e-3, range = 0.4, minimumGap = 0.05;
+static const scalar gap = 0.15;         // of the spheres in all checks
+
+static const std::string entries = "range 0.4; minimumGap 0.05; ";
+static const std::string pressure = entries + "strength 2e-3; ";
+static const std::string pointForce = pressure + "form pointForce; ";
+static const std::string spheresOnly = "between ((lower upper)); ";
+static const std::string wallOnly = "between ((lower floor)); ";
+
+
+static scalar law(const scalar d)
+{
+    return d < range ? b*(1/pow3(d) - 1/pow3(range)) : 0;
+}
+
+
+//- Force on the sphere of radius R by its own zones, opposite one of radius Q
+//  at a distance D of centres, along the line of centres
+static scalar onZones(const scalar R, const scalar Q, const scalar D)
+{
+    const label n = 200000;
+    scalar sum = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        const scalar angle = 0.5*pi*(i + 0.5)/n;
+        const scalar along = D - R*Foam::cos(angle);
+        const scalar distance = Foam::hypot(along, R*Foam::sin(angle));
+        sum +=
+            law(distance - Q - minimumGap)*along/distance
+           *2*pi*sqr(R)*Foam::sin(angle)*0.5*pi/n;
+    }
+    return sum;
+}
+
+
+//- Half on the zones of each
+static scalar exactForce()
+{
+    const scalar R = twoSpheres::lower, Q = twoSpheres::upper;
+    return 0.5*(onZones(R, Q, R + gap + Q) + onZones(Q, R, R + gap + Q));
+}
+
+
+//- For spheres nearly touching
+static scalar Derjaguin()
+{
+    const scalar R =
+        1/(1/twoSpheres::lower + 1/twoSpheres::upper), d = gap - minimumGap;
+    return
+        2*pi*R*b
+       *((1/sqr(d) - 1/sqr(range))/2 - (range - d)/pow3(range));
+}
+
+
+static void checkMeshes(checks& c)
+{
+    const scalar exact = exactForce();
+    scalarField onMesh, point, order(2);
+    for (const scalar size : {0.16, 0.08, 0.04})
+    {
+        const twoSpheres scene(size, gap);
+        onMesh.append(scene.force(pressure + spheresOnly));
+        point.append(scene.force(pointForce + spheresOnly));
+        Info<< "    edges of " << size << ": pressure " << onMesh.last()
+            << ", point forces " << point.last() << " (true spheres, pressure "
+            << exact << ", Derjaguin " << Derjaguin() << ')' << endl;
+    }
+    c.checkBelow
+    (
+        "pressure: the integral over the true spheres",
+        mag(onMesh[2]/exact - 1), 0.01
+    );
+    c.check
+    (
+        "pressure: second order in the edge",
+        mag(onMesh[2] - exact) < mag(onMesh[0] - exact)/12
+    );
+    // Derjaguin leaves out terms of the part (range + gap)/R
+    c.checkBelow
+    (
+        "pressure: Derjaguin's integral", mag(onMesh[2]/Derjaguin() - 1),
+        (range + gap)/(2.0/3)
+    );
+    c.checkClose
+    (
+        "point forces: fourfold as edges are halved", point[2]/point[1], 4, 0.05
+    );
+    // the area of an equilateral triangle makes one of the other
+    const scalar area = Foam::sqrt(3.0)/4*sqr(0.04);
+    c.checkClose
+    (
+        "point forces: those of the pressure over the triangles' area",
+        area*point[2], exact, 0.05
+    );
+}
+
+
+static void checkBalance(checks& c)
+{
+    for (const std::string& form : {pressure, pointForce})
+    {
+        const twoSpheres scene(0.16, gap);
+        const loads l(scene.acting(scene.make(form + spheresOnly)()));
+        vector force(Zero), torque(Zero);
+        scalar size = 0;
+        for (const loads::spring& s : l.springs())
+        {
+            size += mag(s.force);
+        }
+        const loads::onBodies sum(l.forces());
+        for (label i = 0; i < 2; ++i)
+        {
+            const point centre(const_cast<twoSpheres&>(scene).sphere(i).centre);
+            force += linear(sum.whole[i]);
+            torque += angular(sum.whole[i]) + (centre ^ linear(sum.whole[i]));
+        }
+        const std::string name = form == pressure ? "pressure" : "point forces";
+        c.check(name + ": there are forces", size > 0);
+        c.checkBelow(name + ": action is reaction", mag(force)/size, 1e-13);
+        c.checkBelow(name + ": no torque on both", mag(torque)/size, 1e-11);
+    }
+}
+
+
+//- The force beside a wall and its change with the height
+static void checkDerivative
+(
+    checks& c, const std::string& name, const std::string& form,
+    const scalar above
+)
+{
+    twoSpheres scene(0.16, 9, 1);
+    const autoPtr<repulsion> r(scene.make(form + wallOnly));
+    const auto at = [&](const scalar height)
+    {
+        scene.sphere(0).centre = point(0, 0, twoSpheres::lower + height);
+        return scene.acting(r());
+    };
+    const scalar step = 1e-6;
+    const scalar change =
+        at(above + step).forces().whole[0][2]
+      - at(above - step).forces().whole[0][2];
+    const loads l(at(above));
+    loads::ofBodies u(l.atRest());
+    u.whole[0][2] = 2*step;
+    c.check(name + ": pushes away", l.forces().whole[0][2] > 0);
+    c.checkClose(name, change, l.changes(u).whole[0][2], 1e-4);
+}
+
+
+static void checkWalls(checks& c)
+{
+    const twoSpheres scene(0.16, gap);
+    const auto told = [&](const std::string& between)
+    {
+        return scene.make(pressure + between)->unrepelled();
+    };
+    c.check
+    (
+        "a patch that is no plane wall is told",
+        told("").size() == 1 && told("")[0].name == "tube"
+    );
+    c.check
+    (
+        "a wall that no pair names is told",
+        told(spheresOnly).size() == 2
+     && told(spheresOnly)[1].name == "floor"
+    );
+    c.checkFatal
+    (
+        "a pair with a patch that is not plane says why",
+        [&]{ scene.make(pressure + "between ((lower tube));"); },
+        "a patch, but not plane"
+    );
+    c.checkFatal
+    (
+        "an unknown form is refused",
+        [&]{ scene.make(pressure + "form force;"); }, "pointForce"
+    );
+}
+
+
+int main()
+{
+    checks c;
+    checkMeshes(c);
+    checkBalance(c);
+    checkDerivative(c, "pressure: derivative", pressure, 0.2);
+    checkDerivative(c, "point forces: derivative", pointForce, 0.2);
+    checkDerivative(c, "beyond the minimum gap: derivative", pressure, 0.03);
+    checkWalls(c);
+    return c.finish();
+}
