@@ -32,6 +32,11 @@ def far_field():
     the surface: 3.6, 6, 9.5, 15."""
     runs = cases("runs/drag*")
     errors = []
+    # bound: meshes 3 and 4: what was required before, 0.2 % at 75 000 and 0.05 %
+    # at 300 000 cells. Meshes 1 and 2 serve the order; required was 1 % at 12
+    # cells per radius, which at second order is 11 % and 4 % here. They are held
+    # to 3 % and 1 % against changes for the worse; the 3 % was 1 % before 2.2 %
+    # were seen
     bounds = [0.03, 0.01, 0.002, 0.0005]
     for i, (run, bound) in enumerate(zip(runs, bounds)):
         drag = run.force(BODY)[-1, 0] / (FORCE * 1.4e-4)
@@ -41,10 +46,12 @@ def far_field():
         return
     iterations = [run.iterations[0] for run in runs]
     growth = max(abs(n / iterations[1] - 1) for n in iterations[1:])
+    # bound: required before: flat within 20 %
     results.add("iterations_growth_from_20000_cells_abs", growth, 0, 0.2)
     orders = plots.convergence(
         "dragOrder.png", [size(r) for r in runs], {"drag": np.array(errors)},
         xlabel="cells$^{-1/3}$", title="Drag in an exact Stokes far field")
+    # bound: required before: order 1.8 of a second-order scheme
     results.at_least("drag_order", overall([size(r) for r in runs[1:]], errors[1:]), 1.8)
     figure, axes = plots.plt.subplots()
     axes.loglog([r.seconds for r in runs], errors, marker="o", mfc="white")
@@ -79,10 +86,12 @@ def shell():
         couple = 1 / (1 - x**3)
         force = -run.force(BODY)[-1, 0] / (FORCE * 1e-4)
         torque = -run.torque(BODY)[-1, 2] / (TORQUE * 1e-5)
-        fine = i == 2
-        results.add(f"shell_drag_mesh{i + 1}", force, drag, 0.01 if fine else 0.03, **cost(run))
-        results.add(f"shell_torque_mesh{i + 1}", torque, couple, 0.01 if fine else 0.03,
-                    **cost(run))
+        # bound: required 1 % at 12 cells per radius, at second order 9, 4 and
+        # 1.8 % at the 4, 6 and 9 of these meshes; the finest is held to the 1 %,
+        # the others to 3 % against changes for the worse. Quick (5 cells): 5.8 %
+        bound = 0.01 if i == 2 else 0.03
+        results.add(f"shell_drag_mesh{i + 1}", force, drag, bound, **cost(run))
+        results.add(f"shell_torque_mesh{i + 1}", torque, couple, bound, **cost(run))
         forces.append(abs(force / drag - 1))
         torques.append(abs(torque / couple - 1))
     if not quick:
@@ -130,11 +139,15 @@ def beside_a_wall():
 def wall_row(quantity, name, value, exact, run):
     """The torque of a parallel motion nearly vanishes: its lever arm is checked,
     in radii."""
+    # bound: required 1 % at 12 cells per radius (here 16; quick 10, at second
+    # order 1.44 %). The torque is made of the tractions that make the force, at
+    # arms of up to a radius: 1 % of them are 0.01 radii of lever arm. It is held
+    # to a fifth of that (quick: a third)
     if name == "lever_parallel":
         results.add(quantity + "_abs", value, exact, 0.005 if quick else 0.002,
                     **cost(run))
     else:
-        results.add(quantity, value, exact, 0.02 if quick else 0.01, **cost(run))
+        results.add(quantity, value, exact, 0.0144 if quick else 0.01, **cost(run))
 
 
 def wall_order():
@@ -145,6 +158,7 @@ def wall_order():
     errors = {}
     for k, name in ((0, "force parallel"), (2, "force normal"), (3, "torque spin")):
         errors[name] = np.array([abs(wall_values(r)[k] / exact[k] - 1) for r in runs])
+        # bound: required before, as for the drag
         results.at_least(f"wall_order_{name.replace(' ', '_')}",
                          overall(edges, errors[name]), 1.8)
     plots.convergence(

@@ -12,6 +12,8 @@ from fsbi.results import Results
 
 quick = sys.argv[1] == "true"
 DRAG = 6*math.pi*8*1.4e-4               # 6 pi mu a U
+# bound: required before: 3 times faster at 75 000, 4 times at 300 000 cells; a
+# prototype reached 1.7 at 20 000, of which 1.5 are asked (the quick form)
 SPEEDUP = {"20k": 1.5, "75k": 3, "300k": 4}
 
 
@@ -67,8 +69,10 @@ for mesh in sorted({run.mesh for run in runs}, key=len):
             seconds=seconds[("SIMPLEC", faces)], cells=cells)
     same = best[("SIMPLEC", "reconstructed")][-1].drag \
         / best[("coupled", "reconstructed")][-1].drag
+    # bound: the part of the drag to which seconds are counted, 0.1 %
     results.add(f"drag_SIMPLEC_over_coupled_{mesh}", same, 1, 1e-3, cells=cells)
     wrong = abs(best[("SIMPLEC", "linear")][-1].drag - 1)
+    # bound: claimed before: linear faces never reach 1 % of the exact drag
     results.at_least(
         f"error_of_linear_faces_{mesh}", wrong, 0.01, cells=cells)
     curves(
@@ -84,9 +88,12 @@ for mesh in sorted({run.mesh for run in runs}, key=len):
 processes = [Case(folder) for folder in sorted(glob.glob("runs/parallel_*"))]
 if len(processes) == 2:
     one, two = processes
+    # bound: half of ideal, on two cores that share their memory's bandwidth
     results.at_least(
         "parallel_efficiency_300k", one.solve_seconds/(2*two.solve_seconds),
         0.5, seconds=two.solve_seconds, cells=two.cells, procs=2)
+    # bound: both solve to 1e-6 of the residual at rest; the drag follows it
+    # within a factor of ten
     results.add(
         "drag_on_2_over_1_processes_300k",
         two.force("tumourCell")[-1, 0]/one.force("tumourCell")[-1, 0], 1, 1e-5,
