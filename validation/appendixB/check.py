@@ -93,7 +93,8 @@ def check_drags(found):
 
 
 def draw(table, found):
-    figure, (left, right) = plots.plt.subplots(1, 2, figsize=(10, 4.2))
+    below = dict(fontsize=7, ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.17))
+    figure, (left, right) = plots.plt.subplots(1, 2, figsize=(11, 4.8))
     for (kind, line) in KINDS.items():
         for scheme, colour in COLOUR.items():
             h, error = table[kind, "Stokes", scheme]
@@ -101,13 +102,14 @@ def draw(table, found):
                         color=plots.COLOURS[colour], label=f"{scheme}, {kind}")
     left.set(xlabel="cells' width / radius", ylabel="relative error of the gradient")
     left.set_title("Gradients of Stokes's flow at cells", loc="left")
-    left.legend(fontsize=7)
+    left.xaxis.set_minor_formatter("")
+    left.legend(**below)
     for i, (scheme, runs) in enumerate(found.items()):
         right.loglog([run.cells for run in runs], [abs(drag(run) - 1) for run in runs],
                      marker=plots.MARKERS[i], color=plots.COLOURS[i], label=NAMES[scheme])
     right.set(xlabel="tetrahedra", ylabel="relative error of the drag")
     right.set_title("Drag on a sphere", loc="left")
-    right.legend(fontsize=7)
+    right.legend(**below)
     plots.save(figure, "gradients.png")
 
 
