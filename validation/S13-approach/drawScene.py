@@ -44,7 +44,7 @@ with open("constant/bodies", "w") as file:
 {name}
 {{
     type            rigidBody;
-    shape           {{ type sphere; radius {radius:.6g}; size {0.3 * radius:.3g}; }}
+    shape           {{ type sphere; radius {radius:.6g}; size {0.25 * radius:.3g}; }}
     position        {entry(place)};
     overdamped      true;
     force           {entry(f)};
