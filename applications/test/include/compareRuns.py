@@ -4,6 +4,7 @@
 """Compare the histories of two runs, and the fields of one time folder.
 
     compareRuns.py case case [--tolerance 1e-10] [--fields TIME] [--only path]
+        [--but end]
 
 The difference is relative to the largest number of a table; of forces, and of
 torques, to the largest of all bodies, as on free bodies they nearly cancel.
@@ -48,6 +49,7 @@ def main():
     parser.add_argument("--tolerance", type=float, default=1e-10)
     parser.add_argument("--fields", help="these must be equal to the last bit")
     parser.add_argument("--only", default="bodies/")
+    parser.add_argument("--but", help="leave out tables whose name ends so")
     options = parser.parse_args()
 
     first, second = [
@@ -55,7 +57,8 @@ def main():
         for case in options.cases
     ]
     compared, others = [
-        [p for p in history.paths() if p.startswith(options.only)]
+        [p for p in history.paths() if p.startswith(options.only)
+         and not (options.but and p.endswith(options.but))]
         for history in (first, second)
     ]
     if compared != others:
