@@ -13,7 +13,7 @@ from fsbi.case import Case
 from fsbi.results import Results
 
 BODIES = ("rigid", "elastic")
-CAUGHT, WINDOW = 15000, 2000        # us: from when on; over which a speed is taken
+CAUGHT, WINDOW = 8000, 2000        # us: from when on; over which a speed is taken
 MEASURES = ("speed", "pauses", "bonds")
 # bound: two means of independent seeds differ by more than three standard
 # errors in one of 140 comparisons by chance (Student, 14 degrees of freedom)
@@ -86,9 +86,9 @@ def draw(free):
         for folder in sorted(glob.glob(f"runs/{body}_base_*")):
             time, x = path(Case(folder), body)
             row[0].plot(1e-3 * time, x - x[0], color=plots.COLOURS[0], lw=1)
-        row[0].plot(1e-3 * time, np.minimum(free[body] * time, 14), color="black", ls="--",
+        row[0].plot(1e-3 * time, np.minimum(free[body] * time, 9), color="black", ls="--",
                     lw=1.2, label="without bonds")
-        row[0].set(ylabel="way (µm)", ylim=(0, 14))
+        row[0].set(ylabel="way (µm)", ylim=(0, 9))
         row[0].set_title(f"{body} leukocyte, eight seeds", loc="left")
         row[0].legend(loc="upper left")
         for k, variant in enumerate(("base", "mesh", "step")):

@@ -37,7 +37,8 @@ def broken_laws(scene, folder, said):
         if "Interrupted at" in said:
             return "right", "", ["no step in the time given"]
         return "silent", "no step recorded", []
-    for law in LAWS:
+    # an elastic body alone, on a mesh that is given, has a check of its own
+    for law in LAWS if scene.bodies else (end,):
         wrong = law(run)
         # what the run has told by itself is not silent
         if wrong and not (law is volume and "linearElastic is for strains" in said):
