@@ -199,11 +199,15 @@ void Foam::fsbi::bonds::save(dictionary& state) const
 
 void Foam::fsbi::bonds::restore(const dictionary& state)
 {
-    bool fits = adhesion_->restore(state);
     const labelList labels(state.get<labelList>("labels"));
     const scalarList numbers(state.get<scalarList>("numbers"));
+    // states of before molecules were counted have fewer labels of a bond
+    bool fits =
+        adhesion_->restore(state)
+     && state.readIfPresent("slid", state_.slid)
+     && 7*numbers.size() == 5*labels.size();
     state_.bonds.clear();
-    for (label n = 0; 7*n < labels.size(); ++n)
+    for (label n = 0; fits && 7*n < labels.size(); ++n)
     {
         const label* l = &labels[7*n];
         const scalar* x = &numbers[5*n];
@@ -212,9 +216,15 @@ void Foam::fsbi::bonds::restore(const dictionary& state)
         b.ligand = {l[3], l[4], l[5]};
         b.end = {l[6], x[0], x[1]};
         b.anchor = point(x[2], x[3], x[4]);
-        fits = fits
-         && adhesion_->holds(l[0], l[1], b.pair, b.ligand.population);
+        fits = adhesion_->holds(l[0], l[1], b.pair, b.ligand.population);
         state_.bonds.insert({{l[0], l[1]}, b});
+    }
+    if (!fits)
+    {
+        FatalErrorInFunction
+            << "The saved bonds do not fit the molecules and pairs of"
+            << " constant/effects, which must not change at a restart"
+            << exit(FatalError);
     }
     const labelList events(state.get<labelList>("events"));
     const scalarList left(state.get<scalarList>("left"));
@@ -223,13 +233,5 @@ void Foam::fsbi::bonds::restore(const dictionary& state)
     {
         state_.clocks[{events[3*i], events[3*i + 1]}] =
             {events[3*i + 2], left[i]};
-    }
-    state_.slid = state.get<List<vector>>("slid");
-    if (!fits)
-    {
-        FatalErrorInFunction
-            << "The saved bonds do not fit the molecules and pairs of"
-            << " constant/effects, which must not change at a restart"
-            << exit(FatalError);
     }
 }
