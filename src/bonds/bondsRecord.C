@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "bonds.H"
+#include "OStringStream.H"
 
 void Foam::fsbi::bonds::declare(recording& history) const
 {
@@ -13,7 +14,7 @@ void Foam::fsbi::bonds::declare(recording& history) const
         (
             "bonds/" + pair.name,
             {"number", "formed", "broken", "tension", "fx", "fy", "fz"},
-            "tension: sum over bonds; f: force on the receptors' bodies"
+            "tension: M L/T^2, f: M L/T^2"
         );
     }
     history.declare
@@ -23,7 +24,7 @@ void Foam::fsbi::bonds::declare(recording& history) const
             "instant", "pair", "set", "site", "formed", "length", "tension",
             "ax", "ay", "az", "bx", "by", "bz"
         },
-        "pair in the order of the dictionary; a: end at the receptor"
+        "instant: T, length: L, tension: M L/T^2, a: L, b: L"
     );
 }
 
@@ -67,4 +68,43 @@ void Foam::fsbi::bonds::record(recording& history) const
     {
         history.append("bonds/" + adhesion_->pairs()[i].name, sums[i]);
     }
+}
+
+
+void Foam::fsbi::bonds::draw
+(
+    const std::function<void(const fileName&, const std::string&)>& add
+) const
+{
+    const surfacesNow now(around_);
+    const label n = state_.bonds.size();
+    OStringStream points, lines, pairs, tensions;
+    points.precision(10);
+    label i = 0;
+    for (const auto& entry : state_.bonds)
+    {
+        const bond& b = entry.second;
+        const bondPair& pair = adhesion_->pairs()[b.pair];
+        const adhesion::siteSet& s = adhesion_->sets()[entry.first.first];
+        const point x(now.position(s.body, s.sites[entry.first.second]));
+        const point y(end(now, b));
+        for (const point& p : {x, y})
+        {
+            points << p.x() << ' ' << p.y() << ' ' << p.z() << nl;
+        }
+        lines << "2 " << 2*i << ' ' << 2*i + 1 << nl;
+        pairs << b.pair << nl;
+        tensions << pair.law->force(pair.length(x, y)) << nl;
+        ++i;
+    }
+    OStringStream os;
+    os  << "# vtk DataFile Version 3.0\nbonds, from receptor to ligand\nASCII\n"
+        << "DATASET POLYDATA\nPOINTS " << 2*n << " double\n"
+        << points.str().c_str() << "LINES " << n << ' ' << 3*n << nl
+        << lines.str().c_str() << "CELL_DATA " << n
+        << "\nSCALARS pair int 1\nLOOKUP_TABLE default\n"
+        << pairs.str().c_str()
+        << "SCALARS tension double 1\nLOOKUP_TABLE default\n"
+        << tensions.str().c_str();
+    add("bonds.vtk", os.str());
 }

@@ -102,6 +102,17 @@ void Foam::fsbi::effectList::setWalls(const List<planeWall>& walls)
 }
 
 
+Foam::wordList Foam::fsbi::effectList::names() const
+{
+    wordList all(effects_.size());
+    forAll(effects_, i)
+    {
+        all[i] = effects_[i].type();
+    }
+    return all;
+}
+
+
 void Foam::fsbi::effectList::tellNames(Ostream& os) const
 {
     forAll(effects_, i)
@@ -186,6 +197,18 @@ void Foam::fsbi::effectList::record(recording& history) const
     {
         auto timer = timings_.weigh(e.type());
         e.record(history);
+    }
+}
+
+
+void Foam::fsbi::effectList::draw
+(
+    const std::function<void(const fileName&, const std::string&)>& add
+) const
+{
+    for (const effect& e : effects_)
+    {
+        e.draw(add);
     }
 }
 

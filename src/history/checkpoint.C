@@ -117,6 +117,16 @@ void Foam::fsbi::checkpoint::write(scene& scene, const stepControl& steps)
     stateFolder folder(time_.path(), time_.timeName());
     scene.write([&](const regIOobject& object) { add(folder, object); });
     addState(folder, scene, steps);
+    if (scene.effects())
+    {
+        scene.effects()->draw
+        (
+            [&](const fileName& file, const std::string& content)
+            {
+                folder.add("uniform"/file, content);
+            }
+        );
+    }
     folder.publish();
 
     saved_.append(time_.timeName());

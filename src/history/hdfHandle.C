@@ -180,6 +180,22 @@ bool readColumn
 }
 
 
+hdfHandle openGroup(const hid_t file, const std::string& path)
+{
+    hdfHandle group(H5Gopen2(file, path.c_str(), H5P_DEFAULT));
+    if (!group.valid())
+    {
+        const hdfHandle links(H5Pcreate(H5P_LINK_CREATE));
+        H5Pset_create_intermediate_group(links, 1);
+        group = hdfHandle
+        (
+            H5Gcreate2(file, path.c_str(), links, H5P_DEFAULT, H5P_DEFAULT)
+        );
+    }
+    return group;
+}
+
+
 // Fixed-length strings: no memory owned by HDF5 to give back
 static hdfHandle textType(const size_t length)
 {
@@ -207,6 +223,10 @@ bool setText
         text[i].copy(&buffer[i*length], length);
     }
 
+    if (H5Aexists(object, name) > 0 && H5Adelete(object, name) < 0)
+    {
+        return false;
+    }
     const hsize_t size = text.size();
     const hdfHandle type = textType(length);
     const hdfHandle space(H5Screate_simple(1, &size, nullptr));

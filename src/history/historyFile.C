@@ -279,6 +279,26 @@ void Foam::fsbi::historyFile::append
     t.lastTime = time;
 }
 
+void Foam::fsbi::historyFile::note
+(
+    const fileName& group, const word& name, const UList<string>& lines
+)
+{
+    if (!writer_ || lines.empty())
+    {
+        return;
+    }
+    const hdf::quiet silence;
+    stopStreaming();
+    const hdfHandle g = hdf::openGroup(handle_, group);
+    const std::vector<std::string> text(lines.begin(), lines.end());
+    if (!g.valid() || !hdf::setText(g, name.c_str(), text))
+    {
+        fail("Cannot note '" + name + "' in the history file");
+    }
+}
+
+
 void Foam::fsbi::historyFile::flush()
 {
     if (!writer_)

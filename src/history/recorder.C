@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "recorder.H"
 #include "equivalentEllipsoid.H"
+#include "runNotes.H"
 #include "Time.H"
 #include "OSspecific.H"
 
@@ -29,14 +30,20 @@ Foam::fsbi::recorder::recorder
 (
     const Time& time,
     scene& scene,
-    const bool restarted
+    const bool restarted,
+    const UList<string>& defaults
 )
 :
     time_(time),
     scene_(scene),
-    history_(historyOf(time, restarted), time.value())
+    history_(historyOf(time, restarted), time.value()),
+    steps_(time, scene)
 {
     declare();
+    for (const auto& note : runNotes(scene, defaults))
+    {
+        history_.note("runs"/time.timeName(), note.first, note.second);
+    }
     history_.flush();           // readable from now on
     openSeries();
 }
@@ -380,7 +387,7 @@ void Foam::fsbi::recorder::appendHistory(const solidRegion& body)
 }
 
 
-void Foam::fsbi::recorder::append()
+void Foam::fsbi::recorder::append(const Foam::string& limit)
 {
     auto timer = scene_.clocks().measure("output");
     forAll(scene_.bodies(), b)
@@ -436,4 +443,11 @@ void Foam::fsbi::recorder::append()
         })
     );
     history_.flush();
+    steps_.append("accepted", limit);
+}
+
+
+void Foam::fsbi::recorder::reject()
+{
+    steps_.append("rejected", scene_.failure());
 }

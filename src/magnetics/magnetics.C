@@ -198,7 +198,7 @@ void Foam::fsbi::magnetics::declare(recording& history) const
                 "Bx", "By", "Bz", "mx", "my", "mz", "fx", "fy", "fz",
                 "tx", "ty", "tz", "angle", "lag", "slips"
             },
-            "B: T, m: A m2, f: M L/T2, t: M L2/T2, angle, lag: rad"
+            "B: tesla, m: A m^2, f: M L/T^2, t: M L^2/T^2, angle: rad, lag: rad"
         );
     }
     if (controller_.valid())

@@ -4,7 +4,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "dryRun.H"
-#include "checkedDictionary.H"
 
 namespace
 {
@@ -13,21 +12,6 @@ namespace
 const Foam::label stepsTried = 2;
 
 } // End anonymous namespace
-
-
-void Foam::fsbi::dryRun::noteDefaults()
-{
-    wordHashSet seen;
-    checkedDictionary::tellDefaults([this, seen](const string& s) mutable
-    {
-        string text(s);
-        text.replace(time_.globalPath() + "/", "");
-        if (seen.insert(text))
-        {
-            defaults_.append(text);
-        }
-    });
-}
 
 
 void Foam::fsbi::dryRun::tryStep(scene& scene)
@@ -79,7 +63,7 @@ void Foam::fsbi::dryRun::tellScene(const scene& scene) const
 void Foam::fsbi::dryRun::tellDefaults() const
 {
     Info<< nl << "Defaults taken" << nl;
-    for (const string& line : defaults_)
+    for (const string& line : defaults_.lines())
     {
         Info<< "    " << line.c_str() << nl;
     }
@@ -107,7 +91,6 @@ void Foam::fsbi::dryRun::tellCost(scene& scene) const
 
 void Foam::fsbi::dryRun::run(const dictionary& saved)
 {
-    noteDefaults();
     scene scene(time_, saved);
     if (saved.size())
     {
@@ -121,5 +104,4 @@ void Foam::fsbi::dryRun::run(const dictionary& saved)
         tryStep(scene);
     }
     tellCost(scene);
-    checkedDictionary::tellDefaults(nullptr);
 }

@@ -58,6 +58,7 @@ int main(int argc, char *argv[])
     #include "foamDlOpenLibs.H"
     #include "createTime.H"
 
+    const fsbi::defaultsTaken defaults(runTime.globalPath());
     fsbi::stepControl steps(runTime);
     fsbi::checkpoint states(runTime);
     const dictionary saved(states.read());
@@ -66,7 +67,7 @@ int main(int argc, char *argv[])
     fsbi::petscSession petsc;
     if (args.found("dry-run"))
     {
-        fsbi::dryRun(runTime, steps).run(saved);
+        fsbi::dryRun(runTime, steps, defaults).run(saved);
         return 0;
     }
 
@@ -79,7 +80,7 @@ int main(int argc, char *argv[])
     {
         states.write(scene, steps);
     }
-    fsbi::recorder history(runTime, scene, restarted);
+    fsbi::recorder history(runTime, scene, restarted, defaults.lines());
 
     while (steps.next(scene))
     {
@@ -88,13 +89,14 @@ int main(int argc, char *argv[])
         if (!scene.advance())
         {
             scene.rewind();
+            history.reject();
             steps.reject(scene);
             continue;
         }
 
         scene.endStep();
         steps.accept(scene);
-        history.append();
+        history.append(steps.limit());
         states.writeWhenDue(scene, steps);
     }
 

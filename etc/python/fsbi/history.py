@@ -9,6 +9,7 @@
     position = history["bodies/tumourCell/position"]
     plt.plot(position["time"], position["x"])
     position.columns, position.units, position.array
+    history.runs["0"]["defaults"]       # of the run that began at time 0
 """
 
 import os
@@ -54,12 +55,16 @@ class History:
             raise FileNotFoundError(f"there is no history file {path}")
         self.path = path
         self._tables = {}
+        self.runs = {}
         with h5py.File(path, "r", swmr=True) as file:
             file.visititems(self._read)
 
     def _read(self, path, node):
         if isinstance(node, h5py.Dataset):
             self._tables[path] = Table(node)
+        elif path.startswith("runs/"):
+            self.runs[path[len("runs/"):]] = {
+                name: [_text(line) for line in lines] for name, lines in node.attrs.items()}
 
     def paths(self):
         return sorted(self._tables)
