@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "prescribedBody.H"
+#include "timeFunction.H"
 
 Foam::fsbi::prescribedBody::prescribedBody
 (
@@ -20,7 +21,7 @@ Foam::fsbi::prescribedBody::prescribedBody
         const word key(given == &velocity_ ? "velocity" : "angularVelocity");
         if (entries_.found(key))
         {
-            *given = Function1<vector>::New(key, dict);
+            *given = timeFunction<vector>(key, entries_);
         }
     }
 }

@@ -7,6 +7,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "bodyShape.H"
 #include "checkedDictionary.H"
 #include "mathematicalConstants.H"
+#include "timeFunction.H"
 
 const Foam::wordList Foam::fsbi::rigidBody::integrators
 ({
@@ -68,7 +69,7 @@ Foam::fsbi::rigidBody::rigidBody
         const word key(load == &force_ ? "force" : "torque");
         if (entries.found(key))
         {
-            *load = Function1<vector>::New(key, dict);
+            *load = timeFunction<vector>(key, entries);
         }
     }
     const checkedDictionary constraints(entries.subDictOrEmpty("constraints"));
@@ -173,7 +174,7 @@ void Foam::fsbi::rigidBody::readPrescription
     {
         return;
     }
-    p.value = Function1<vector>::New(key, entries.dict());
+    p.value = timeFunction<vector>(key, entries);
     for (const word& axis : axes)
     {
         if (!all.found(axis))

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "adhesion.H"
 #include "FlatOutput.H"
+#include "timeFunction.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -76,8 +77,7 @@ void Foam::fsbi::adhesion::readPopulations
             );
             if (entries.found("blocked"))
             {
-                p->blocked = Function1<scalar>::New("blocked", e.dict());
-                entries.found("blockedCoeffs");     // Function1's own
+                p->blocked = timeFunction<scalar>("blocked", entries);
             }
             entries.finish();
             p->blockedAt(around.time.value());

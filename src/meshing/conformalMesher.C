@@ -22,6 +22,10 @@ namespace fsbi
 //  depends on: 1e-6. Round-off further down would turn edges of the mesh
 static const label digits = 20;
 
+//- Where bodies are placed
+static const char* const places =
+    " (position and shape in constant/bodies, domain in system/blockMeshDict)";
+
 static vector rounded(const vector& x, const scalar unit)
 {
     return unit*vector
@@ -95,7 +99,7 @@ void Foam::fsbi::conformalMesher::checkInput
             << (b < names.size() ? "overlaps body '" + names[b] + "'"
               : string("crosses the boundary of the domain"))
             << " near " << triangles[crossing.first()].centre(points)
-            << exit(FatalError);
+            << places << exit(FatalError);
     }
 
     // nothing crosses: one point decides for the whole body
@@ -106,7 +110,7 @@ void Foam::fsbi::conformalMesher::checkInput
         {
             FatalErrorInFunction
                 << "Body '" << names[b] << "' lies outside the domain, near "
-                << p << exit(FatalError);
+                << p << places << exit(FatalError);
         }
         forAll(bodies, other)
         {
@@ -119,7 +123,7 @@ void Foam::fsbi::conformalMesher::checkInput
             {
                 FatalErrorInFunction
                     << "Body '" << names[b] << "' lies inside body '"
-                    << names[other] << "'" << exit(FatalError);
+                    << names[other] << "'" << places << exit(FatalError);
             }
         }
     }

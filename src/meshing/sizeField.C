@@ -114,7 +114,8 @@ Foam::fsbi::sizeField::sizeField
             new indexedOctree<treeDataPoint>
             (
                 treeDataPoint(cellCentres_),
-                treeBoundBox(cellCentres_), 8, 10, 3
+                // not of the centres: there may be only one
+                treeBoundBox(domain.points() + shift), 8, 10, 3
             )
         );
     }

@@ -11,6 +11,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "Tuple2.H"
 #include "IOdictionary.H"
 #include "meshQuality.H"
+#include "timeFunction.H"
 
 namespace Foam
 {
@@ -66,7 +67,7 @@ Foam::fsbi::elasticBody::elasticBody(const word& name, const dictionary& dict)
         const word key(load == &bodyForce_ ? "bodyForce" : "acceleration");
         if (entries.found(key))
         {
-            *load = Function1<vector>::New(key, dict);
+            *load = timeFunction<vector>(key, entries);
         }
     }
     readHeld(entries);

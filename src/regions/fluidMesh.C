@@ -17,6 +17,28 @@ namespace fsbi
 //  where a gap allows none that is good
 static const scalar wear = 3;
 
+//- Fatal if the domain has no volume or a patch of unknown type
+static void checkDomain(const polyMesh& domain)
+{
+    if (!(cmptMin(domain.bounds().span()) > 0 && min(domain.cellVolumes()) > 0))
+    {
+        FatalErrorInFunction
+            << "The domain has cells without volume: see the vertices and"
+            << " blocks of system/blockMeshDict" << exit(FatalError);
+    }
+    for (const polyPatch& patch : domain.boundaryMesh())
+    {
+        // what OpenFOAM makes of a type that it does not know
+        if (patch.type() == "genericPatch")
+        {
+            FatalErrorInFunction
+                << "Patch '" << patch.name() << "' of the domain has an unknown"
+                << " type; choose patch or wall in system/blockMeshDict"
+                << exit(FatalError);
+        }
+    }
+}
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -121,6 +143,7 @@ void Foam::fsbi::fluidMesh::readDomain()
             << " is missing)" << exit(FatalError);
     }
     domain_.reset(new wholeMesh(time_, polyMesh::defaultRegion));
+    checkDomain((*domain_)());
     checkPatchNames();
     mesher_.reset(new conformalMesher((*domain_)(), remeshDict_));
 }
