@@ -5,7 +5,7 @@
     with VTKFiles(case, "fluid", fields="U", times="latest") as states:
         for state in states:
             state.time, state.mesh(), state.patches(), state.patch("cell")
-    bonds(case, state.time)
+    saved_drawing(case, state.time, "bonds.vtk")
 """
 
 import json
@@ -117,13 +117,17 @@ class VTKFiles:
         return sorted(found, key=lambda state: state.time)
 
 
-def bonds(case, time):
-    """The bonds of a saved state as lines with `pair` and `tension`; None if the
-    scene has none."""
+def saved_drawing(case, time, name):
+    """What an effect drew of a saved state, as bonds.vtk and B.vtk; None if it did
+    not."""
     root = os.path.join(case, "processor0") if decomposed(case) else case
     there = folders_by_time(root)
     nearest = min(there, key=lambda t: abs(t - time), default=None)
     if nearest is None or abs(nearest - time) > 1e-6 * abs(time):
         return None
-    path = os.path.join(root, there[nearest], "uniform", "bonds.vtk")
-    return read(vtk.vtkPolyDataReader(), path) if os.path.isfile(path) else None
+    path = os.path.join(root, there[nearest], "uniform", name)
+    if not os.path.isfile(path):
+        return None
+    reader = vtk.vtkGenericDataObjectReader()
+    reader.ReadAllScalarsOn()
+    return read(reader, path)
