@@ -23,7 +23,7 @@ function solid(points, faces) {
 }
 
 // One body: a fixed surface that moves, or a surface for every time
-function bodyModel(spec, colour) {
+function bodyModel(spec, colour, edged) {
     const faces = whole(spec.faces);
     const motion = spec.motion ? floats(spec.motion) : null;
     const surfaces = [];
@@ -36,7 +36,7 @@ function bodyModel(spec, colour) {
         return surfaces[k];
     };
     const skin = new THREE.Mesh(surface(0), new THREE.MeshPhongMaterial(
-        { color: colour, side: THREE.DoubleSide, shininess: 20, polygonOffset: true,
+        { color: colour, side: THREE.DoubleSide, shininess: 20, flatShading: edged, polygonOffset: true,
             polygonOffsetFactor: 1, polygonOffsetUnits: 1, opacity: 0.55 }));
     const edges = new THREE.Mesh(surface(0), new THREE.MeshBasicMaterial(
         { color: 0x3a2a10, wireframe: true, transparent: true, opacity: 0.35 }));
@@ -137,12 +137,11 @@ function bodies(spec) {
     world.add(camera, new THREE.AmbientLight(0xffffff, 0.45));
     const controls = new THREE.OrbitControls(camera, canvas);
 
-    const models = spec.bodies.map((b, i) => bodyModel(b, BODY_COLOURS[i % 5]));
+    const models = spec.bodies.map((b, i) => bodyModel(b, BODY_COLOURS[i % 5], "factor" in spec));
     models.forEach(m => world.add(m.group));
     const last = spec.times.length - 1;
-    const spheres = models.map(m => [0, Math.floor(last / 2), last].map(k => m.sphere(k)));
-    const size = Math.max(...spheres.map(s => s[0].radius));
-    const everything = around(spheres.flat());
+    const size = Math.max(...models.map(m => m.sphere(0).radius));
+    const everything = [0, Math.floor(last / 2), last].map(around).reduce((a, b) => a.union(b));
     const ways = wayLines(spec, models);
     world.add(ways);
     const walls = spec.walls.map(wallModel);
@@ -157,14 +156,21 @@ function bodies(spec) {
 
     const state = { frame: -1, playing: false, clock: spec.times[0], chosen: models[0], before: null };
 
-    function around(list) {
+    function around(k) {
         const box = new THREE.Box3();
-        for (const s of list) box.union(s.getBoundingBox(new THREE.Box3()));
-        return box.getBoundingSphere(new THREE.Sphere());
+        for (const m of models) {
+            m.show(k);
+            box.union(new THREE.Box3().setFromObject(m.group));
+        }
+        return box;
     }
-    function look(sphere) {
+    function look(box) {
+        const sphere = box.getBoundingSphere(new THREE.Sphere());
         const distance = sphere.radius / Math.sin(camera.fov / 2 * Math.PI / 180) * 1.1;
-        const towards = new THREE.Vector3(0.3, 0.18, 1).normalize();
+        // at right angles to what is long
+        const long = box.getSize(new THREE.Vector3());
+        const towards = long.z > 1.5 * long.x ? new THREE.Vector3(1, 0.25, 0.45) : new THREE.Vector3(0.3, 0.18, 1);
+        towards.normalize();
         controls.target.copy(sphere.center);
         camera.position.copy(sphere.center).addScaledVector(towards, distance);
         camera.near = distance / 500;
@@ -173,8 +179,8 @@ function bodies(spec) {
         controls.update();
     }
     function reset() {
-        const now = around(models.map(m => m.sphere(Math.max(state.frame, 0))));
-        look(element("follow").checked ? now : everything);
+        look(element("follow").checked ? around(state.frame) : everything);
+        models.forEach(m => m.show(state.frame));
     }
     function show(k) {
         if (k === state.frame) return;
@@ -192,7 +198,7 @@ function bodies(spec) {
         element("clock").textContent = `t = ${short(time)} ${data.time}`;
         follow();
         values(time);
-        charts.forEach(c => { if (c.spec.x.length > 1) c.show(time); });
+        charts.forEach(c => c.show(time));
     }
     function follow() {
         const centre = state.chosen.sphere(state.frame).center;
@@ -286,7 +292,7 @@ function bodies(spec) {
     canvas.addEventListener("click", pick);
     tell(spec, largest);
     choose(models[0]);
-    element("follow").checked = everything.radius > 8 * size;
+    element("follow").checked = everything.getBoundingSphere(new THREE.Sphere()).radius > 8 * size;
     show(0);
     reset();
     requestAnimationFrame(frame);

@@ -59,7 +59,7 @@ function ends(values, log) {
     return [low, high];
 }
 
-// One chart. spec: title, unit, x, xUnit, series [{name, y, dots}], log, table (for the csv file)
+// One chart, or the numbers if there is but one time. spec: title, unit, x, xUnit, series [{name, y, dots}], log, table (for the csv file)
 function chart(parent, spec) {
     const box = make("div", { class: "chart" }, parent);
     const head = make("h4", {}, box, spec.title + " ");
@@ -68,7 +68,21 @@ function chart(parent, spec) {
     const csvButton = make("button", { class: "save" }, head, "csv");
     const svg = make("svg", { viewBox: `0 0 ${BOX.width} ${BOX.height}` }, box);
     const legend = make("div", { class: "legend" }, box);
-
+    const tell = row => {
+        legend.textContent = "";
+        if (row !== null) make("span", {}, legend, `${short(spec.x[row])} ${spec.xUnit}`);
+        spec.series.forEach((s, i) => {
+            const text = row === null ? s.name : `${s.name} ${short(s.y[row])}`;
+            make("span", { style: `color:${s.colour || COLOURS[i % 6]}` }, legend, text);
+        });
+    };
+    csvButton.onclick = () => save(`${spec.title}.csv`, "text/csv", comma(spec));
+    if (spec.x.length < 2) {
+        svg.remove();
+        svgButton.remove();
+        tell(0);
+        return;
+    }
     const [x0, x1] = ends(spec.x, false);
     const [y0, y1] = ends(spec.series.flatMap(s => s.y), spec.log);
     const px = x => BOX.left + (x - x0) / (x1 - x0) * (BOX.width - BOX.left - BOX.right);
@@ -79,14 +93,6 @@ function chart(parent, spec) {
     const cursor = make("line", { class: "cursor", y1: BOX.top, y2: BOX.height - BOX.bottom,
         visibility: "hidden" }, svg);
 
-    const tell = row => {
-        legend.textContent = "";
-        if (row !== null) make("span", {}, legend, `${short(spec.x[row])} ${spec.xUnit}`);
-        spec.series.forEach((s, i) => {
-            const text = row === null ? s.name : `${s.name} ${short(s.y[row])}`;
-            make("span", { style: `color:${s.colour || COLOURS[i % 6]}` }, legend, text);
-        });
-    };
     const show = time => {
         const at = nearest(spec.x, time);
         cursor.setAttribute("visibility", "visible");
@@ -102,7 +108,6 @@ function chart(parent, spec) {
         tell(null);
     });
     svgButton.onclick = () => save(`${spec.title}.svg`, "image/svg+xml", standalone(svg));
-    csvButton.onclick = () => save(`${spec.title}.csv`, "text/csv", comma(spec));
     tell(null);
     charts.push({ spec, show });
 }
