@@ -11,8 +11,9 @@ import tempfile
 import h5py
 import numpy as np
 
-from fsbi import adhesion, plots, results
+from fsbi import adhesion, plots, results, steps
 from fsbi.history import History
+from fsbi.report import units
 
 counts = [0, 0]
 
@@ -125,8 +126,41 @@ def check_wilson():
               np.allclose(adhesion.wilson(happened, trials), (low, high), atol=6e-5))
 
 
+def check_steps():
+    rows = {"0": (("1 1 accepted 9 1 1e-7 0.5 deltaT", "2 1 rejected 8 2 1e-2 - it failed, alas",
+                   "3 2 accepted 7 1 1e-7 - deltaT"), ("1 0.5 0.25 1", "3 0.75 0.5 2")),
+            "1": (("1.5 0.5 accepted 6 1 1e-7 - growth", "2 0.5 acc"), ("1.5 4 5",))}
+    for start, (tried, seconds) in rows.items():
+        os.makedirs(f"postProcessing/steps/{start}")
+        with open(f"postProcessing/steps/{start}/steps.dat", "w") as file:
+            file.write("\n".join(("# time length ...", *tried)) + "\n" * (start == "0"))
+        with open(f"postProcessing/steps/{start}/seconds.dat", "w") as file:
+            head = "# time solve bonds total" if start == "0" else "# time solve total"
+            file.write("\n".join((head, *seconds)) + "\n")
+    found = steps.tried(".")
+    check("steps of a continued run replace what it went back behind",
+          [(s.time, s.iterations) for s in found] == [(1, 9), (1.5, 6)], found)
+    parts, seconds = steps.seconds(".")
+    check("seconds of both runs add up, by part", parts == ["solve", "bonds", "total"]
+          and np.allclose(seconds, [[1, 0.5, 0.25, 1], [1.5, 4.5, 0.25, 6]]), (parts, seconds))
+
+
+def check_units():
+    for columns, text, wanted in (
+            (["x", "y"], "M L/T^2", ["M L/T^2"] * 2),
+            (["step", "n", "s"], "T, -, s", ["T", "-", "s"]),
+            (["smallest"], "L; range if larger", ["L"]),
+            (["Bx", "fx", "lag", "I.a", "n"], "B: tesla, f: M L/T^2, lag: rad, I: A",
+             ["tesla", "M L/T^2", "rad", "A", "-"])):
+        check(f"units of columns from '{text}'", units.of_columns(columns, text) == wanted)
+    check("a unit in a system", units.named("M L/T^2", "microvascular") == "nN"
+          and units.named("L/T", "SI") == "m/s" and units.named("tesla", "SI") == "tesla")
+
+
 with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
+    check_steps()
+    check_units()
     check_results()
     check_history()
     check_plots()

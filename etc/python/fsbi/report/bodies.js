@@ -216,7 +216,7 @@ function bodies(spec) {
         const table = make("table", {}, element("values"));
         for (const t of data.tables) {
             const [, body, ...rest] = t.path.split("/");
-            if (body !== name || !wanted.includes(rest.join("/")) || !t.values.length) continue;
+            if (body !== name || !wanted.includes(rest.join("/")) || !t.recorded) continue;
             const row = nearest(t.values[0], time);
             const line = make("tr", { "data-path": t.path, "data-row": row }, table);
             make("td", {}, line, `${name} ${rest.join(" ")}`);
@@ -319,7 +319,11 @@ function tell(spec, largest) {
     if (spec.bonds.length) {
         const box = document.getElementById("tensions");
         box.hidden = false;
-        box.append(`Bonds: pressed by ${short(largest)} ${data.force}`, make("i", {}),
-            `pulled by ${short(largest)} ${data.force}`);
+        if (largest > 1e-290) {
+            box.append(`Bonds: pressed by ${short(largest)} ${data.force}`, make("i", {}),
+                `pulled by ${short(largest)} ${data.force}`);
+        } else {
+            box.append("No saved state has a bond.");
+        }
     }
 }

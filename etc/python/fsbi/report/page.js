@@ -39,7 +39,7 @@ function curves() {
     const rank = table => table.path.startsWith("effects/") ? 1 : 0;
     for (const table of [...data.tables].sort((a, b) => rank(a) - rank(b))) {
         const parts = table.path.split("/");
-        if (table.path === "cost" || !table.values.length) continue;
+        if (table.path === "cost" || !table.recorded) continue;
         const key = parts.slice(0, 2).join("/");
         if (!heads.has(key)) {
             const name = parts[0] === "effects" ? `Effect ${parts[1]}` : parts[1];
@@ -98,6 +98,9 @@ function costBars() {
     }
 }
 
+if (!data.tables.some(t => t.recorded)) {
+    make("p", {}, document.getElementById("curves"), "Nothing is recorded yet.");
+}
 curves();
 stepCurves();
 costBars();
