@@ -7,6 +7,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "OStringStream.H"
 #include "OSspecific.H"
 #include "IOdictionary.H"
+#include "savedProcesses.H"
 
 namespace Foam
 {
@@ -18,14 +19,87 @@ static const word stateName("fsbiState");
 //- Digits that give a number back exactly
 static const unsigned exactly = 17;
 
+//- Digits in the names of time folders. Time raises them itself where steps are
+//  short, but does not give them to derived programs
+struct folderNames
+:
+    public Time
+{
+    static int& digits()
+    {
+        return precision_;
+    }
+};
+
 } // End namespace fsbi
 } // End namespace Foam
 
 
-Foam::fsbi::checkpoint::checkpoint(const Time& time)
+Foam::fsbi::checkpoint::checkpoint(Time& time)
 :
     time_(time)
-{}
+{
+    const word folder(startFolder());
+    if (folder.size())
+    {
+        startFrom(folder);
+    }
+}
+
+
+Foam::word Foam::fsbi::checkpoint::startFolder() const
+{
+    if
+    (
+        time_.controlDict().getOrDefault<word>("startFrom", "latestTime")
+     != "latestTime"
+    )
+    {
+        return savedProcesses::at(time_.path(), time_.value());
+    }
+    word latest;
+    if (Pstream::master())
+    {
+        const instantList times(Time::findTimes(time_.path()));
+        for (label i = times.size() - 1; i >= 0 && latest.empty(); --i)
+        {
+            const fileName folder(time_.path()/times[i].name());
+            if
+            (
+                times[i].value() <= 0 || stateFolder::isState(folder)
+             || isFile(folder/"uniform"/stateName)
+            )
+            {
+                latest = times[i].name();
+            }
+            else
+            {
+                Info<< "Folder " << times[i].name() << " holds no state of a"
+                    << " run: it is left alone" << endl;
+            }
+        }
+    }
+    Pstream::scatter(latest);
+    return latest == time_.constant() ? word("0") : latest;
+}
+
+
+void Foam::fsbi::checkpoint::startFrom(const word& folder)
+{
+    scalar value = 0;
+    if (readScalar(folder, value) && folder != time_.timeName())
+    {
+        while
+        (
+            Time::timeName(value) != folder
+         && folderNames::digits() < int(exactly)
+        )
+        {
+            ++folderNames::digits();
+        }
+        time_.setTime(instant(value, folder), 0);
+    }
+}
 
 
 Foam::dictionary Foam::fsbi::checkpoint::read() const
@@ -45,6 +119,7 @@ Foam::dictionary Foam::fsbi::checkpoint::read() const
     );
     Info<< "Continuing from the state saved at time " << time_.timeName()
         << nl << endl;
+    state.readIfPresent("timePrecision", folderNames::digits());
     return state;
 }
 
@@ -96,6 +171,7 @@ void Foam::fsbi::checkpoint::addState
     dictionary stepping;
     steps.save(stepping);
     state.set("stepControl", stepping);
+    state.set("timePrecision", folderNames::digits());
     add(folder, state);
 
     IOdictionary time(named("time"));

@@ -18,7 +18,7 @@ void Foam::fsbi::historyFile::fail(const std::string& what) const
         << what.c_str() << nl
         << "    History file: " << file_ << nl
         << "    If it was damaged, move it away and start again: the run"
-        << " will begin a new one. If the disk is full, make room first."
+        << " will begin a new one. If the disk or a quota is full, make room first."
         << exit(FatalError);
 }
 

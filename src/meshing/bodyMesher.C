@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "bodyMesher.H"
+#include "cellEstimate.H"
 #include "gmshModel.H"
 #include "meshAssembly.H"
 #include "meshingAttempts.H"
@@ -128,9 +129,20 @@ Foam::fsbi::meshLists Foam::fsbi::bodyMesher::fill
     (
         surface, size > 0 ? size : controls_.farSize, controls_.growth
     );
-    meshLists mesh
+    const boundBox box(surface.bounds());
+    const auto inside = [&](const point& p)
+    {
+        return surface.winding(p) > 0.5;
+    };
+    meshLists mesh;
+    mesh.failure = tooManyCells
     (
-        firstGoodMesh
+        cellsIn(box, {}, std::cref(wanted), inside, controls_.maxCells),
+        controls_
+    );
+    if (mesh.valid())
+    {
+        mesh = firstGoodMesh
         (
             controls_,
             [&](const meshingAttempt& settings)
@@ -138,8 +150,8 @@ Foam::fsbi::meshLists Foam::fsbi::bodyMesher::fill
                 return meshOnce(surface, std::cref(wanted), settings);
             },
             controls_.maxNonOrthogonality + moreBorne
-        )
-    );
+        );
+    }
     if (mesh.valid())
     {
         dictionary dict;

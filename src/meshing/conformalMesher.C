@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "conformalMesher.H"
+#include "cellEstimate.H"
 #include "gmshModel.H"
 #include "meshAssembly.H"
 #include "meshingAttempts.H"
@@ -215,6 +216,39 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
 }
 
 
+Foam::scalar Foam::fsbi::conformalMesher::tellCells
+(
+    const UList<bodySurface>& bodies,
+    const bodySurface& walls,
+    const sizeField& size
+) const
+{
+    const auto inFluid = [&](const point& p)
+    {
+        for (const bodySurface& body : bodies)
+        {
+            if (body.bounds().contains(p) && body.winding(p) > 0.5)
+            {
+                return false;
+            }
+        }
+        return !outline_.curved() || walls.winding(p) > 0.5;
+    };
+    const scalar cells = cellsIn
+    (
+        walls.bounds(), bodies, std::cref(size), inFluid, controls_.maxCells
+    );
+    if (cells > 1.5*cellsTold_ && cells <= controls_.maxCells)
+    {
+        const scalar digit = std::pow(10, std::floor(std::log10(cells)) - 1);
+        Info<< "Meshing about " << digit*std::round(cells/digit) << " cells"
+            << endl;
+        cellsTold_ = cells;
+    }
+    return cells;
+}
+
+
 void Foam::fsbi::conformalMesher::setPatches
 (
     const wordList& names, meshLists& mesh
@@ -252,7 +286,8 @@ Foam::fsbi::conformalMesher::conformalMesher
     controls_(remeshDict),
     outline_(domain),
     cyclics_(domain, outline_),
-    walls_(outline_.triangulation(wallPatches_))
+    walls_(outline_.triangulation(wallPatches_)),
+    cellsTold_(0)
 {}
 
 
@@ -277,9 +312,11 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
         domain_, shift, walls, bodies, cyclics_.translations(), controls_
     );
 
-    meshLists mesh
-    (
-        firstGoodMesh
+    meshLists mesh;
+    mesh.failure = tooManyCells(tellCells(bodies, walls, size), controls_);
+    if (mesh.valid())
+    {
+        mesh = firstGoodMesh
         (
             controls_,
             [&](const meshingAttempt& settings)
@@ -287,8 +324,8 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
                 return meshOnce(bodies, walls, shift, size, settings);
             },
             remeshControls::bearable
-        )
-    );
+        );
+    }
     if (mesh.valid())
     {
         mesh.points += exactShift - shift;

@@ -7,6 +7,9 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "checkedDictionary.H"
 #include "Time.H"
 #include "pointIOField.H"
+#include "wallPolyPatch.H"
+#include "processorPolyPatch.H"
+#include "ListOps.H"
 
 namespace Foam
 {
@@ -254,10 +257,61 @@ Foam::string Foam::fsbi::fluidMesh::narrowGap() const
     {
         return string();
     }
+    const string leaving(bodyThatLeaves(gap));
+    if (leaving.size())
+    {
+        return leaving;
+    }
     return
         " (bodies and walls are as near as " + name(gap)
       + ": that needs a smaller 'size' of the shapes in constant/bodies, or an"
         " effect 'repulsion' that keeps them apart)";
+}
+
+
+Foam::string Foam::fsbi::fluidMesh::bodyThatLeaves(const scalar gap) const
+{
+    if (!mesh_)
+    {
+        return string();
+    }
+    const wordList patches(mesh().boundaryMesh().names());
+    for (const polyPatch& patch : mesh().boundaryMesh())
+    {
+        if
+        (
+            isA<processorPolyPatch>(patch) || isA<wallPolyPatch>(patch)
+         || isBody(patch.name())
+        )
+        {
+            continue;
+        }
+        wordList others(patches);
+        inplaceSubsetList
+        (
+            others, [&](const word& name) { return name != patch.name(); }
+        );
+        const bodySurface open(rigidBlendMotion::domainBoundary(mesh(), others));
+        const surfaceDistance surface(open.points(), open.triangles());
+        for (const immersedBody& body : bodies_)
+        {
+            for (const point& p : body.meshedSurface().points())
+            {
+                scalar distance;
+                label triangle;
+                if (surface.find(p, 1.01*gap + SMALL, distance, triangle))
+                {
+                    return
+                        " (body '" + body.name() + "' has come to the patch '"
+                      + patch.name() + "', which is no wall, and cannot leave"
+                        " the domain: end the run before, make the domain longer"
+                        " in system/blockMeshDict, or let it follow the body with"
+                        " `follow` in system/remeshDict)";
+                }
+            }
+        }
+    }
+    return string();
 }
 
 

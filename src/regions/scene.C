@@ -79,7 +79,8 @@ bool Foam::fsbi::scene::solveFluid()
     {
         failure_ =
             "the solver reached a residual of " + name(report_.residual)
-          + " only, in " + name(report_.iterations) + " iterations";
+          + " only, in " + name(report_.iterations - before)
+          + " iterations (maxIterations of system/fluid/fvSolution)";
     }
     return finite && report_.converged;
 }

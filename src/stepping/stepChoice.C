@@ -36,8 +36,8 @@ Foam::label Foam::fsbi::stepControl::outputsUntil(const scalar time) const
 
 Foam::scalar Foam::fsbi::stepControl::smallestWanted(const scene& scene)
 {
-    const scalar maxRotation = entry("maxRotation", 0.2);
-    const scalar maxTravel = entry("maxTravel", 0.2);
+    const scalar maxRotation = entry("maxRotation", largestTurn);
+    const scalar maxTravel = entry("maxTravel", largestTravel);
     scalar dt = GREAT, largest = 0;
     const auto require = [&](const scalar wanted, const string& reason)
     {

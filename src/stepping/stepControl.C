@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "stepControl.H"
+#include "checkedDictionary.H"
 #include <csignal>
 #include <numeric>
 #include <vector>
@@ -92,6 +93,7 @@ Foam::fsbi::stepControl::stepControl(Time& time)
     turnTold_(false),
     approachTold_(false),
     lastTries_(0),
+    leftOver_(0),
     began_(-1),
     firstTime_(time.value())
 {
@@ -100,6 +102,8 @@ Foam::fsbi::stepControl::stepControl(Time& time)
     speaker = Pstream::master();
     std::signal(SIGINT, onInterrupt);
     std::signal(SIGTERM, onInterrupt);
+    // a file beyond the user's limit: writing it fails, and says so
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 
@@ -216,13 +220,14 @@ bool Foam::fsbi::stepControl::next(const scene& scene)
 void Foam::fsbi::stepControl::reject(const scene& scene)
 {
     const scalar dt = 0.5*time_.deltaTValue();
+    const string why(hopeless(scene));
     Info<< "Step to " << time_.timeName() << " rejected: "
         << scene.failure().c_str() << endl;
-    if (dt < shortest())
+    if (dt < shortest() || why.size())
     {
         FatalErrorInFunction
             << "Steps down to " << 2*dt << " fail, the last one because "
-            << scene.failure().c_str() << ". Saved states are untouched;"
+            << scene.failure().c_str() << why.c_str() << ". Saved states are untouched;"
             << " minDeltaT in " << time_.controlDict().name()
             << " is " << shortest() << exit(FatalError);
     }
@@ -255,6 +260,7 @@ void Foam::fsbi::stepControl::reject(const scene& scene)
 void Foam::fsbi::stepControl::accept(const scene& scene)
 {
     stop_ = returnReduce(bool(interrupted), orOp<bool>());
+    leftOver_ = 0;
 
     const scalar end = max(time_.endTime().value(), time_.value());
     const scalar done =
@@ -289,6 +295,43 @@ void Foam::fsbi::stepControl::accept(const scene& scene)
     Info<< line << scene.warning().c_str() << endl;
     tellOfGap(scene, gap);
     tellOfTurn(scene);
+}
+
+
+Foam::string Foam::fsbi::stepControl::hopeless(const scene& scene)
+{
+    // the flow does not know the step's length: iterations that leave the same
+    // residual with half of it will do so again
+    const solverReport& report = scene.report();
+    const scalar before = leftOver_;
+    leftOver_ =
+        report.converged || report.failure.size() ? 0 : report.residual;
+    return
+        scene.solids().empty() && before > 0
+     && mag(leftOver_ - before) < 0.01*before
+      ? ", as with twice the step: raise maxIterations, or find what makes the"
+        " problem hard (far apart sizes, thin cells)"
+      : "";
+}
+
+
+void Foam::fsbi::stepControl::noteDefaults() const
+{
+    const checkedDictionary entries(time_.controlDict());
+    if (!entries.getOrDefault("adjustTimeStep", false))
+    {
+        return;
+    }
+    entries.getOrDefault("maxRotation", largestTurn);
+    entries.getOrDefault("maxTravel", largestTravel);
+    entries.getOrDefault("minDeltaT", shortest());
+    for (const word key : {"maxDeltaT", "maxApproach"})
+    {
+        if (!entries.found(key))
+        {
+            entries.getOrDefault(key, word("none"));
+        }
+    }
 }
 
 

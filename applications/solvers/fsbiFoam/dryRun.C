@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "dryRun.H"
+#include "OSspecific.H"
 
 namespace
 {
@@ -91,6 +92,9 @@ void Foam::fsbi::dryRun::tellCost(scene& scene) const
 
 void Foam::fsbi::dryRun::run(const dictionary& saved)
 {
+    // they would write
+    time_.functionObjects().off();
+    control_.noteDefaults();
     scene scene(time_, saved);
     if (saved.size())
     {
@@ -99,9 +103,21 @@ void Foam::fsbi::dryRun::run(const dictionary& saved)
     tellScene(scene);
     tellDefaults();
     Info<< nl << "Steps tried" << endl;
+    DynamicList<fileName> folders;
     while (steps_ < stepsTried && control_.next(scene))
     {
+        const fileName folder(time_.timePath());
+        const bool given = isDir(folder);
         tryStep(scene);
+        folders.append(given ? fileName() : folder);
+    }
+    // the clock writes there what function objects remember, though they are off
+    for (const fileName& folder : folders)
+    {
+        if (folder.size())
+        {
+            rmDir(folder, true);
+        }
     }
     tellCost(scene);
 }

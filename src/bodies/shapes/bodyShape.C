@@ -19,10 +19,15 @@ namespace fsbi
 Foam::fsbi::bodyShape::bodyShape(const dictionary& dict)
 :
     size_(0),
+    maxTriangles_(200000),
     entries_(dict)
 {
     entries_.found("type");
     size_ = entries_.found("size") ? entries_.positive("size") : 0;
+    if (entries_.found("maxTriangles"))
+    {
+        maxTriangles_ = entries_.positive("maxTriangles");
+    }
 }
 
 
@@ -64,13 +69,31 @@ Foam::fsbi::bodySurface Foam::fsbi::bodyShape::fineEnough
 }
 
 
+void Foam::fsbi::bodyShape::checkNumber
+(
+    const scalar area, const scalar size
+) const
+{
+    const scalar triangles = area/(Foam::sqrt(scalar(3))/4*sqr(size));
+    if (triangles > maxTriangles_)
+    {
+        FatalIOErrorInFunction(entries_.dict())
+            << "Edges of " << size << " need about " << triangles
+            << " triangles for this shape, more than maxTriangles "
+            << maxTriangles_ << ": choose a larger 'size', or raise"
+            << " maxTriangles if you have the memory" << exit(FatalIOError);
+    }
+}
+
+
 Foam::fsbi::bodySurface Foam::fsbi::bodyShape::triangulate
 (
     const scalar size
 ) const
 {
-    return fineEnough
-    (
-        make(size > 0 ? size : size_ > 0 ? size_ : defaultSize())
-    );
+    if (size > 0 || size_ > 0)
+    {
+        return fineEnough(make(size > 0 ? size : size_));
+    }
+    return fineEnough(make(entries_.getOrDefault("size", defaultSize())));
 }

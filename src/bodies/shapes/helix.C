@@ -181,6 +181,7 @@ Foam::fsbi::bodySurface Foam::fsbi::helix::sweep
 
 Foam::fsbi::bodySurface Foam::fsbi::helix::make(const scalar size) const
 {
+    checkNumber(twoPi*filamentRadius_*(arc() + 2*filamentRadius_), size);
     const scalar exact =
         pi*sqr(filamentRadius_)*(arc() + 4*filamentRadius_/3);
     scalar filament = filamentRadius_;

@@ -193,6 +193,7 @@ Foam::fsbi::bodySurface Foam::fsbi::smoothShape::make(const scalar size) const
 {
     // frequency: 20 n^2 equilateral triangles of that edge cover the area
     const scalar area = imageOf(geodesicSphere(8)).area();
+    checkNumber(area, size);
     const scalar wanted = area/(Foam::sqrt(3.0)/4*sqr(size));
     const label n = max(1, label(Foam::sqrt(wanted/20) + 0.5));
 
