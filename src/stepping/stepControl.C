@@ -99,6 +99,7 @@ Foam::fsbi::stepControl::stepControl(Time& time)
 {
     checkEntries();
     checkSpelling();
+    noteDefaults();
     speaker = Pstream::master();
     std::signal(SIGINT, onInterrupt);
     std::signal(SIGTERM, onInterrupt);
@@ -305,7 +306,9 @@ Foam::string Foam::fsbi::stepControl::hopeless(const scene& scene)
     const solverReport& report = scene.report();
     const scalar before = leftOver_;
     leftOver_ =
-        report.converged || report.failure.size() ? 0 : report.residual;
+        report.converged || report.failure.size()
+     || !std::isfinite(report.residual)
+      ? 0 : report.residual;
     return
         scene.solids().empty() && before > 0
      && mag(leftOver_ - before) < 0.01*before

@@ -94,7 +94,6 @@ void Foam::fsbi::dryRun::run(const dictionary& saved)
 {
     // they would write
     time_.functionObjects().off();
-    control_.noteDefaults();
     scene scene(time_, saved);
     if (saved.size())
     {
