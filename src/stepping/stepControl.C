@@ -287,7 +287,7 @@ void Foam::fsbi::stepControl::accept(const scene& scene)
     snprintf
     (
         line, sizeof(line),
-        "t %-10s dt %-9.4g %sits %3d  residual %7.1e%s %5.1f %%"
+        "Time = %-10s dt %-9.4g %sits %3d  residual %7.1e%s %5.1f %%"
         "  left %-7s dt by %s",
         time_.timeName().c_str(), time_.deltaTValue(), corrections,
         int(scene.report().iterations), scene.report().residual, gapText,

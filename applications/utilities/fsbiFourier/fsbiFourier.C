@@ -10,28 +10,7 @@ Description
     analysis on a uniform grid (src/fourier). Needs no case.
 
 Usage
-    fsbiFourier [-dict fourierDict]
-
-    \code
-    equation        elasticity;     // or Laplace
-    method          Jacobi;         // or SOR: Laplace, one direction
-    E               1;              // elasticity
-    nu              0.3;
-    spacing         (1 1 1);        // 0: no such direction (Laplace)
-    phiMin          0.0490873852;   // smallest wave, pi/64
-    zeroComponents  no;             // waves along axes and planes, too
-    steps           (1 2 3 4 5 8);  // numbers of factors to find the best of
-    highestFactor   2.95;           // default: no limit
-    factors         ((0.6 2.9));    // further ones to be judged
-    show            (0.6 0.8 1);    // factors of the curves over waves
-    \endcode
-
-    Writes to the folder `fourier`:
-        schedules.csv   best factors, their radius, gain per step
-        factors.csv     radius over the relaxation factor
-        waves.csv       radius over the wave, all components equal
-        planes.csv      over two components, phix = phiMin and pi (elasticity)
-        pairs.csv       gain per step over two factors (Jacobi)
+    fsbiFourier [-dict fourierDict], see its -help for the entries and tables
 
 \*---------------------------------------------------------------------------*/
 
@@ -44,6 +23,30 @@ int main(int argc, char *argv[])
 {
     using namespace Foam;
 
+    argList::addNote
+    (
+        "How fast relaxed Jacobi and SOR converge, and with which factors, by"
+        "\nFourier analysis on a uniform grid. Needs no case. fourierDict:\n\n"
+        "    equation        elasticity;     // or Laplace\n"
+        "    method          Jacobi;         // or SOR: Laplace, one direction\n"
+        "    E               1;              // elasticity; default\n"
+        "    nu              0.3;            // elasticity\n"
+        "    spacing         (1 1 1);        // default; 0: no such direction"
+        "\n"
+        "    phiMin          0.0490873852;   // smallest wave, pi/64\n"
+        "    zeroComponents  no;             // default; yes: waves along axes"
+        "\n"
+        "    steps           (1 2 3 4);      // default; how many factors in"
+        " turn\n"
+        "    highestFactor   2.95;           // default: no limit\n"
+        "    factors         ((0.6 2.9));    // further ones to be judged\n"
+        "    show            (0.6 0.8 1);    // default; factors of waves.csv"
+        "\n\n"
+        "Writes to the folder fourier: schedules.csv (best factors, their"
+        " radius, gain\nper step), factors.csv (radius over the factor),"
+        " waves.csv and planes.csv\n(over the wave), pairs.csv (gain over two"
+        " factors)."
+    );
     argList::noParallel();
     argList::noFunctionObjects();
     argList::noBanner();
@@ -54,7 +57,8 @@ int main(int argc, char *argv[])
     if (!file.good())
     {
         FatalErrorInFunction
-            << "There is no file " << name << exit(FatalError);
+            << "There is no file " << name << "; fsbiFourier -help has one"
+            << exit(FatalError);
     }
     const fsbi::analysis analysis((dictionary(file)));
     const fileName folder("fourier");

@@ -18,13 +18,21 @@ namespace Foam
 namespace fsbi
 {
 
-static OFstream table(const fileName& name, const char* header)
+//- A file of a table, its header written
+class table
+:
+    public OFstream
 {
-    OFstream os(name);
-    os.precision(16);
-    os << header << nl;
-    return os;
-}
+public:
+
+    table(const fileName& name, const char* header)
+    :
+        OFstream(name)
+    {
+        precision(16);
+        *this << header << nl;
+    }
+};
 
 } // End namespace fsbi
 } // End namespace Foam
@@ -141,7 +149,7 @@ void Foam::fsbi::analysis::judge
 
 void Foam::fsbi::analysis::writeSchedules(const fileName& folder) const
 {
-    OFstream os = table
+    table os
     (
         folder/"schedules.csv", "kind,steps,radius,radius_per_step,gain,factors"
     );
@@ -158,7 +166,7 @@ void Foam::fsbi::analysis::writeSchedules(const fileName& folder) const
 
 void Foam::fsbi::analysis::writeFactors(const fileName& folder) const
 {
-    OFstream os = table(folder/"factors.csv", "omega,radius");
+    table os(folder/"factors.csv", "omega,radius");
     for (label i = 1; i <= 400; ++i)
     {
         const scalar omega = symbol_ ? 0.003*i : 0.005*i - 1e-6;
@@ -176,7 +184,7 @@ void Foam::fsbi::analysis::writeWaves(const fileName& folder) const
           ? symbol_->spectralRadius(scalarList(1, omega), phi)
           : std::abs(SORSymbol::step(phi.x(), omega));
     };
-    OFstream line = table(folder/"waves.csv", "omega,phi,radius");
+    table line(folder/"waves.csv", "omega,phi,radius");
     for (const scalar omega : shown_)
     {
         for (label i = 0; i <= 200; ++i)
@@ -190,7 +198,7 @@ void Foam::fsbi::analysis::writeWaves(const fileName& folder) const
     {
         return;
     }
-    OFstream planes = table(folder/"planes.csv", "phix,phiy,phiz,radius");
+    table planes(folder/"planes.csv", "phix,phiy,phiz,radius");
     for (const scalar x : {phiMin_, pi})
     {
         for (label i = 0; i < 101*101; ++i)
@@ -214,7 +222,7 @@ void Foam::fsbi::analysis::writePairs(const fileName& folder) const
     {
         return;
     }
-    OFstream os = table(folder/"pairs.csv", "omega1,omega2,gain");
+    table os(folder/"pairs.csv", "omega1,omega2,gain");
     const label n = 180;
     for (label i = 1; i <= n; ++i)
     {

@@ -29,10 +29,8 @@ Usage
     triangles of the surface, and the fluid's force on the body per area there
     (sum of areas times these: the force). For fsbiIdentifyMaterial, see there.
 
-    Without:
-    Writes postProcessing/resistance.csv: one row per component, `body,row`
-    (Fx Fy Fz Tx Ty Tz), then the columns of R, of the mobility, and `flow`, the
-    force or torque of the scene's flow on bodies at rest.
+    Without: writes postProcessing/resistance.csv, its layout is that of `layout`
+    below, which the help and every run print.
 
 \*---------------------------------------------------------------------------*/
 
@@ -48,6 +46,20 @@ using namespace Foam;
 
 static const wordList rowNames({"Fx", "Fy", "Fz", "Tx", "Ty", "Tz"});
 static const wordList columnNames({"Ux", "Uy", "Uz", "Wx", "Wy", "Wz"});
+
+//- How the table is to be read, for the help and after a run
+static const string layout
+(
+    "It holds (F, T) = R (U, W) and (U, W) = M (F, T). F, T: force and torque\n"
+    "that the bodies exert on the fluid; the fluid's on them are the opposite, so\n"
+    "R is positive definite. U, W: velocity and angular velocity in a fluid at\n"
+    "rest. Torque and velocity are those of each body's centre, its position in\n"
+    "the history.\n"
+    "A row for each body and component: `body,row`, Fx Fy Fz Tx Ty Tz. Columns:\n"
+    "R.<body>.<Ux ... Wz>; M.<body>.<Fx ... Tz>, whose rows are Ux ... Wz; flow,\n"
+    "the fluid's force or torque on the bodies at rest in the scene's flow. Axes\n"
+    "and units are the case's."
+);
 
 
 //- Forces and torques on all bodies, one after the other, for a motion
@@ -203,10 +215,10 @@ int main(int argc, char *argv[])
     argList::addNote
     (
         "Resistance and mobility matrices of the rigid bodies of a scene, where"
-        " they stand\nat the start, or in the last saved state with"
+        " they\nstand at the start, or in the last saved state with"
         " 'startFrom latestTime'.\n\n"
         "    blockMesh && fsbiResistance\n\n"
-        "Writes postProcessing/resistance.csv."
+        "Writes postProcessing/resistance.csv.\n" + layout
     );
     argList::addBoolOption
     (
@@ -259,7 +271,7 @@ int main(int argc, char *argv[])
     }
     Info<< nl << "Cells: " << scene.nCells() << nl
         << "Asymmetry: " << asymmetry(R) << nl
-        << "Written: " << file << nl << endl;
+        << "Written: " << file << nl << layout.c_str() << nl << endl;
     scene.clocks().report(Info);
     Info<< "End" << nl << endl;
     return 0;

@@ -6,4 +6,6 @@ history   time series of a run      results   results.csv and its bounds
 plots     curves, convergence       picture   meshes, bodies and fields
 case      a finished run            errors    distance from an exact solution
 accuracyCost   the parts of fsbiAccuracyCost
+
+In a shell, `python3 -m fsbi history CASE` prints a history.
 """
