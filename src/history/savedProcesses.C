@@ -140,18 +140,24 @@ void Foam::fsbi::savedProcesses::check(const argList& args)
             << " the last state, type   fsbiRedistribute -np " << wanted
             << "   To begin anew, remove the states" << exit(FatalError);
     }
+    const bool divided = isDir(path/"processor0"/"constant");
     const label folders = saved.nFolders();
     if
     (
         wanted > 1 && !args.distributed()
-     && (saved.number() ? folders < wanted : folders != wanted)
+     && (saved.number() ? folders < wanted : divided && folders != wanted)
     )
     {
         FatalErrorInFunction
             << "The case has " << folders << " folders processor0 ..., the run"
-            << " has " << processes(wanted) << ". Make them by decomposePar,"
-            << " with 'numberOfSubdomains " << wanted << ";' in"
+            << " has " << processes(wanted) << ". Remove them: the run divides"
+            << " the meshes itself. Or divide them by decomposePar, with"
+            << " 'numberOfSubdomains " << wanted << ";' in"
             << " system/decomposeParDict" << exit(FatalError);
+    }
+    for (label i = folders; i < wanted && wanted > 1 && !args.distributed(); ++i)
+    {
+        mkDir(path/("processor" + name(i)));
     }
     returnReduce(true, andOp<bool>());
 }
