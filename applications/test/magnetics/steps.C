@@ -177,7 +177,7 @@ static void checkLag(checks& c)
     again->restore(saved(magnets()));
     step(251);
     const scalar whole = lagNow();
-    magnets = again;
+    magnets = std::move(again);
     step(251);
     c.check("lag after a restart: the same", lagNow() == whole);
 
