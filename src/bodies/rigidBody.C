@@ -254,8 +254,8 @@ void Foam::fsbi::rigidBody::advance(const scalar dt)
         mean = sixVector(scalar(0));
     }
     now_.centre = old_.centre + dt*linear(mean);
-    now_.orientation =
-        normalize(rotationBy(dt*angular(mean))*old_.orientation);
+    now_.orientation = rotationBy(dt*angular(mean))*old_.orientation;
+    now_.orientation /= mag(now_.orientation);
 }
 
 
@@ -391,7 +391,8 @@ void Foam::fsbi::rigidBody::settle()
         u[k] = rows.gain*now_.velocity[k] - u[k];
     }
     now_.centre += linear(u);
-    now_.orientation = normalize(rotationBy(angular(u))*now_.orientation);
+    now_.orientation = rotationBy(angular(u))*now_.orientation;
+    now_.orientation /= mag(now_.orientation);
 }
 
 

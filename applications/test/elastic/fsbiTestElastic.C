@@ -147,8 +147,8 @@ static void checkTangent
     );
     body.give
     (
-        [](const point& p){ return vector(0.1, 0, 0); },
-        [](const point& p, const vector& n){ return 0.1*n; }
+        [](const point&){ return vector(0.1, 0, 0); },
+        [](const point&, const vector& n){ return 0.1*n; }
     );
     body.given.pressure = 0.05;
     body.given.follower = vector(0.01, 0.02, 0.03);

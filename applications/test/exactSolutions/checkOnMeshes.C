@@ -59,8 +59,8 @@ public:
 
     static void write(const fileName& file, const std::string& text)
     {
-        OFstream(file)()
-            << "FoamFile { version 2.0; format ascii; class dictionary; object "
+        OFstream os(file);
+        os  << "FoamFile { version 2.0; format ascii; class dictionary; object "
             << file.name().c_str() << "; }" << nl << text.c_str() << endl;
     }
 

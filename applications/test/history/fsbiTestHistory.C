@@ -184,7 +184,7 @@ static void testKill(fsbi::checks& checks, const fileName& file)
 }
 
 
-int main(int argc, char *argv[])
+int main()
 {
     fsbi::checks checks;
     const fileName scratch(cwd()/("fsbiTestHistory." + Foam::name(pid())));

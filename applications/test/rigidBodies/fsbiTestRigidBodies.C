@@ -147,7 +147,7 @@ static quaternion tumbled(const tensor& inertia, const scalar duration)
             m = moved(m, dt/6, *k);
         }
     }
-    return normalize(m.q);
+    return m.q/mag(m.q);
 }
 
 

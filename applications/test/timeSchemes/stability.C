@@ -75,7 +75,7 @@ static scalar spectralRadius(scalarSquareMatrix A)
         logarithm += Foam::log(max(norm, VSMALL))/power;
         forAll(A, i)
         {
-            A.v()[i] /= max(norm, VSMALL);
+            A.data()[i] /= max(norm, VSMALL);
         }
         A = scalarSquareMatrix(A*A);
         power *= 2;

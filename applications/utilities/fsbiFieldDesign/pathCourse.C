@@ -239,7 +239,8 @@ static List<resistance> resistancesAlong
         Info<< "Resistance at " << p.at(t) << ": along x "
             << all[k].R(0, 0) << endl;
         const vector spin(spinAt(p, t, all[k], body.applied(t)));
-        q = normalize(rotationBy(dt*spin)*q);
+        q = rotationBy(dt*spin)*q;
+        q /= mag(q);
     }
     return all;
 }
@@ -270,7 +271,8 @@ Foam::fsbi::course Foam::fsbi::pathCourse
         const vector spin(spinAt(p, t, r, applied));
         const sixVector load(missing(p, t, spin, r, applied));
         c.append({t, p.at(t), q.R(), linear(load), angular(load)});
-        q = normalize(rotationBy(dt*spin)*q);
+        q = rotationBy(dt*spin)*q;
+        q /= mag(q);
     }
     return c;
 }
