@@ -6,6 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "residualNorm.H"
 #include "untrapped.H"
 
+#include <algorithm>
 #include <Eigen/Dense>
 
 namespace Foam
@@ -131,7 +132,13 @@ Foam::scalarList Foam::fsbi::residualNorm::step
             inverse.asDiagonal()*b
         )
     );
-    return d.allFinite() ? scalarList(d.data(), d.data() + p) : scalarList();
+    if (!d.allFinite())
+    {
+        return scalarList();
+    }
+    scalarList step(p);
+    std::copy_n(d.data(), p, step.begin());
+    return step;
 }
 
 
