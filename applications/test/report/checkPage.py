@@ -44,7 +44,7 @@ def check_tables(data, file):
 
 def check_steps(data, case, text):
     log = open(f"{case}/log.fsbiFoam").read()
-    accepted = re.findall(r"^t (\S+) +dt (\S+) .* residual +(\S+).*dt by (.*)$", log, re.M)
+    accepted = re.findall(r"^Time = (\S+) +dt (\S+) .* residual +(\S+).*dt by (.*)$", log, re.M)
     assert data["tried"]["accepted"].count(True) == len(accepted) > 1
     np.testing.assert_allclose(data["tried"]["length"], [float(a[1]) for a in accepted], rtol=1e-3)
     np.testing.assert_allclose(data["tried"]["residual"], [float(a[2]) for a in accepted], rtol=0.1)
