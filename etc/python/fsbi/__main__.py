@@ -8,6 +8,8 @@
 
 CASE is a case's folder or a history file. Paths may end early: `bodies/cell`
 shows all tables of that body, one after the other.
+
+    python3 -m fsbi report CASE                         one page, as fsbiReport
 """
 
 import argparse
@@ -84,6 +86,10 @@ def main(arguments):
 
 
 try:
-    main(sys.argv[1:])
+    if sys.argv[1:2] == ["report"]:
+        from .report.__main__ import main as report
+        report(sys.argv[2:])
+    else:
+        main(sys.argv[1:])
 except BrokenPipeError:                     # `| head` has seen enough
     sys.stderr.close()
