@@ -317,22 +317,27 @@ static scalar exactNumber(const bonds& b, const surfacesNow& now)
         ratios.push_back({});
         const label rings = 12, rays = 48;
         const vector e1(surfacesNow::along(at.normal)), e2(at.normal ^ e1);
-        for (label n = 0; n < rings*rays; ++n)
+        const scalar part =
+            parts.density(ligands)*rate(at.gap)/a.pairs()[0].law->kOff(0)
+           /(rings*rays);
+        for (label ring = 0; ring < rings; ++ring)
         {
-            const scalar r = rate.distance(at.gap, (n/rays + 0.5)/rings);
-            const scalar angle =
-                constant::mathematical::twoPi*((n % rays) + 0.5)/rays;
-            const point y
-            (
-                at.nearest + sqrt(max(r*r - sqr(at.gap), scalar(0)))
-               *(Foam::cos(angle)*e1 + Foam::sin(angle)*e2)
-            );
-            const label j =
-                number.insert({parts.at(ligands, y), number.size()})
-               .first->second;
-            ratios.back()[j] +=
-                parts.density(ligands)*rate(at.gap)/a.pairs()[0].law->kOff(0)
-               /(rings*rays);
+            const scalar r = rate.distance(at.gap, (ring + 0.5)/rings);
+            const scalar aside = sqrt(max(r*r - sqr(at.gap), scalar(0)));
+            for (label ray = 0; ray < rays; ++ray)
+            {
+                const scalar angle =
+                    constant::mathematical::twoPi*(ray + 0.5)/rays;
+                const molecule ligand = parts.at
+                (
+                    ligands,
+                    at.nearest
+                  + aside*(Foam::cos(angle)*e1 + Foam::sin(angle)*e2)
+                );
+                const label j =
+                    number.insert({ligand, number.size()}).first->second;
+                ratios.back()[j] += part;
+            }
         }
     }
     return number.size() > 16 ? -1 : matchings(ratios, number.size());
