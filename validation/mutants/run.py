@@ -97,8 +97,8 @@ def judge(mutants, tree, known, longest, keep):
     """Every mutant, and what noticed it."""
     passed = []
     for m in mutants:
-        if entry(known, m):
-            continue
+        if (found := entry(known, m)) and found["caught"]:
+            continue            # others may have lacked the time
         sound(m.tests[:1], tree, passed)
         caught, seconds = first(m, tree, longest)
         if caught:
