@@ -84,6 +84,33 @@ static void checkOrders(checks& c)
 }
 
 
+//- Push the bodies of two solutions harder: the fluid is still at balance, so
+//  that only the bodies say that the solution is another now
+static void checkPushed
+(
+    checks& c, const word& kind, problem& coupled, problem& SIMPLEC
+)
+{
+    const vector before(linear(coupled.bodies[0].velocity));
+    for (problem* p : {&coupled, &SIMPLEC})
+    {
+        p->bodies[0].rhs = join(2*inside.force(), Zero);
+    }
+    coupled.solve("tolerance 1e-8;");
+    SIMPLEC.solve("method SIMPLEC; tolerance 1e-8;");
+    const vector V(linear(coupled.bodies[0].velocity));
+    c.checkBelow
+    (
+        kind + ": pushed harder from there it moves alike, too",
+        mag(V - linear(SIMPLEC.bodies[0].velocity))/mag(V), 1e-5
+    );
+    c.check
+    (
+        kind + ": which is another velocity", mag(V - before) > 1e-3*mag(V)
+    );
+}
+
+
 static void checkMethods(checks& c)
 {
     const testMeshes box(cube), room(wide);
@@ -116,6 +143,7 @@ static void checkMethods(checks& c)
                 kind + ": the free body moves alike",
                 mag(V - linear(b.bodies[i].velocity))/mag(V), 1e-5
             );
+            checkPushed(c, kind, a, b);
         }
     }
 }
