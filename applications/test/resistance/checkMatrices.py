@@ -19,7 +19,8 @@ UNIT = np.sqrt(np.outer(np.diag(R), np.diag(R)))
 
 def below(error, bound):
     if not error < bound:
-        sys.exit(f"{error:.3g} is not below {bound:g}\n{rows}")
+        print(rows)
+        sys.exit(f"{error:.3g} is not below {bound:g}")
 
 
 def symmetric():
@@ -39,8 +40,8 @@ def hindered():
     # that within; 5 % for triangles of a quarter of the radius, which cut 1.6 % off
     # its cube
     own = np.diag(R)
-    below((in_sphere(HALF_BOX * 3**0.5) / own).max(), 1.05)
-    below((own / in_sphere(HALF_BOX)).max(), 1.05)
+    below((1 - own / in_sphere(HALF_BOX * 3**0.5)).max(), 0.05)
+    below((own / in_sphere(HALF_BOX) - 1).max(), 0.05)
 
 
 def inverse():
