@@ -17,6 +17,7 @@ Description
 #include "dryRun.H"
 #include "recorder.H"
 #include "savedProcesses.H"
+#include "toolFiles.H"
 
 using namespace Foam;
 
@@ -84,6 +85,7 @@ int main(int argc, char *argv[])
     {
         states.write(scene, steps);
     }
+    fsbi::writeToolFiles(runTime, scene);
     fsbi::recorder history(runTime, scene, restarted, defaults.lines());
 
     while (steps.next(scene))
