@@ -143,10 +143,11 @@ void Foam::fsbi::solidRegion::checkNumerics() const
 {
     checkedDictionary::checkBlocks(mesh().solutionDict(), {"solid"});
     checkedDictionary::checkBlocks(mesh().schemesDict(), {"d2dt2Schemes"});
-    const checkedDictionary schemes
+    const dictionary chosen
     (
         mesh().schemesDict().subOrEmptyDict("d2dt2Schemes")
     );
+    const checkedDictionary schemes(chosen);
     schemes.found("default");
     schemes.found("d2dt2(D)");
     schemes.finish();
