@@ -22,9 +22,9 @@ const Foam::dictionary& Foam::fsbi::checkedDictionary::subDictOrEmpty
     static HashPtrTable<dictionary, string> absent;
 
     known_.insert(key);
-    if (const dictionary* sub = dict_.findDict(key))
+    if (dict_.found(key))
     {
-        return *sub;
+        return subDict(key);
     }
     const fileName name(dict_.name() + '.' + key);
     if (!absent.found(name))
@@ -71,6 +71,39 @@ Foam::scalar Foam::fsbi::checkedDictionary::positive
 ) const
 {
     return found(key) ? positive(key) : noted(key, deflt);
+}
+
+
+Foam::scalar Foam::fsbi::checkedDictionary::tolerance
+(
+    const word& key, const scalar deflt
+) const
+{
+    const scalar value = positive(key, deflt);
+    if (value > largestTolerance)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry '" << key << "' is " << value << ": above "
+            << scalar(largestTolerance) << " nothing would be solved; the"
+            << " default is " << deflt << exit(FatalIOError);
+    }
+    return value;
+}
+
+
+Foam::label Foam::fsbi::checkedDictionary::count
+(
+    const word& key, const label deflt
+) const
+{
+    const label value = getOrDefault<label>(key, deflt);
+    if (value < 1)
+    {
+        FatalIOErrorInFunction(dict_)
+            << "Entry '" << key << "' must be 1 or more, but is " << value
+            << exit(FatalIOError);
+    }
+    return value;
 }
 
 
@@ -127,11 +160,40 @@ void Foam::fsbi::checkedDictionary::finish() const
     {
         if (!known_.found(e.keyword()))
         {
+            const label line = e.startLineNumber();
             FatalIOErrorInFunction(dict_)
-                << "Unknown keyword '" << e.keyword() << "' on line "
-                << e.startLineNumber() << " of " << dict_.name()
+                << "Unknown keyword '" << e.keyword()
+                << (line > 0 ? "' on line " + Foam::name(line) : string("'"))
+                   .c_str()
+                << " of " << dict_.name()
                 << "; known keywords are " << flatOutput(known_.sortedToc())
                 << exit(FatalIOError);
         }
     }
+}
+
+
+void Foam::fsbi::checkedDictionary::checkBlocks
+(
+    const dictionary& dict, const wordList& read
+)
+{
+    const checkedDictionary blocks(dict);
+    for (const word& key : read)
+    {
+        blocks.subDictOrEmpty(key);
+    }
+    for
+    (
+        const char* key :
+        {
+            "FoamFile", "solvers", "relaxationFactors", "cache", "ddtSchemes",
+            "gradSchemes", "divSchemes", "laplacianSchemes",
+            "interpolationSchemes", "snGradSchemes", "fluxRequired", "wallDist"
+        }
+    )
+    {
+        blocks.found(key);
+    }
+    blocks.finish();
 }

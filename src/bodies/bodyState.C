@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyState.H"
 #include "OStringStream.H"
+#include "mathematicalConstants.H"
 
 Foam::quaternion Foam::fsbi::rotationBy(const vector& angle)
 {
@@ -20,6 +21,39 @@ Foam::vector Foam::fsbi::angleOf(const quaternion& q)
         sine > VSMALL
       ? (2*std::atan2(sign(q.w())*sine, mag(q.w()))/sine)*q.v()
       : vector(Zero);
+}
+
+
+Foam::Tuple2<Foam::vector, Foam::scalar> Foam::fsbi::orientationOf
+(
+    const checkedDictionary& entries
+)
+{
+    const word key("orientation");
+    const Tuple2<vector, scalar> turn
+    (
+        entries.getOrDefault(key, Tuple2<vector, scalar>(Zero, 0))
+    );
+    const scalar length = mag(turn.first());
+    if (entries.dict().found(key) && length < SMALL)
+    {
+        FatalIOErrorInFunction(entries.dict())
+            << "Entry '" << key << "' has an axis of no length; it is"
+            << " ((axis) angle)" << exit(FatalIOError);
+    }
+    if (mag(turn.second()) > constant::mathematical::twoPi)
+    {
+        FatalIOErrorInFunction(entries.dict())
+            << "Entry '" << key << "' turns by " << turn.second() << " rad, more"
+            << " than a turn: angles are in radians" << exit(FatalIOError);
+    }
+    if (length > 0 && mag(length - 1) > 1e-3)
+    {
+        Info<< "Warning: the axis of '" << key << "' in "
+            << entries.dict().name().name().c_str() << " has the length "
+            << length << ": its direction counts" << nl << endl;
+    }
+    return turn;
 }
 
 

@@ -52,10 +52,7 @@ Foam::fsbi::rigidBody::rigidBody
     const autoPtr<bodyShape> shape(bodyShape::New(shapeDict));
     shape_ = textOf(shapeDict);
     const point position(entries.get<point>("position"));
-    const Tuple2<vector, scalar> turned
-    (
-        entries.getOrDefault("orientation", Tuple2<vector, scalar>(Zero, 0))
-    );
+    const Tuple2<vector, scalar> turned(orientationOf(entries));
     const sixVector velocity
     (
         join
@@ -73,6 +70,12 @@ Foam::fsbi::rigidBody::rigidBody
         }
     }
     const checkedDictionary constraints(entries.subDictOrEmpty("constraints"));
+    if (entries.found("constraints") && constraints.dict().empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'constraints' of body '" << name << "' is empty: give"
+            << " velocity, angularVelocity or both" << exit(FatalIOError);
+    }
     readPrescription(constraints, "velocity", linear_);
     readPrescription(constraints, "angularVelocity", angular_);
     constraints.finish();
@@ -170,7 +173,16 @@ void Foam::fsbi::rigidBody::readPrescription
     (
         entries.getOrDefault<wordList>(key + "Axes", all)
     );
-    if (!entries.found(key))
+    const bool given = entries.found(key);
+    if (entries.dict().found(key + "Axes") && (!given || axes.empty()))
+    {
+        FatalIOErrorInFunction(entries.dict())
+            << "Entry '" << key << "Axes' "
+            << (given ? "is empty" : "is of no use alone")
+            << ": it lists the axes along which '" << key << "' is prescribed,"
+            << " of (x y z)" << exit(FatalIOError);
+    }
+    if (!given)
     {
         return;
     }

@@ -42,10 +42,7 @@ void Foam::fsbi::rollingLeukocyte::read(const dictionary& saved)
     checkedDictionary(dict).choice("type", {"leukocyte"});
     const leukocyte shape(dict);
     map_.reset(new leukocyteMap(shape.map()));
-    const Tuple2<vector, scalar> turned
-    (
-        entries_.getOrDefault("orientation", Tuple2<vector, scalar>(Zero, 0))
-    );
+    const Tuple2<vector, scalar> turned(orientationOf(entries_));
     turned_ = rotationBy
     (
         turned.second()*turned.first()/max(mag(turned.first()), VSMALL)

@@ -12,16 +12,9 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Foam::fsbi::couplingLoop::couplingLoop(const checkedDictionary& entries)
 :
     accelerator_(accelerator::New(entries)),
-    tolerance_(entries.positive("tolerance", 1e-6)),
-    maxIterations_(entries.getOrDefault<label>("maxIterations", 50))
-{
-    if (maxIterations_ < 1)
-    {
-        FatalIOErrorInFunction(entries.dict())
-            << "Entry 'maxIterations' must be 1 or more, but is "
-            << maxIterations_ << exit(FatalIOError);
-    }
-}
+    tolerance_(entries.tolerance("tolerance", 1e-6)),
+    maxIterations_(entries.count("maxIterations", 50))
+{}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //

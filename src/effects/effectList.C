@@ -52,7 +52,11 @@ void Foam::fsbi::effectList::read(const dictionary& saved)
         effects_.append(effect::New(e, around_));
     }
     restore(saved);
-    if (effects_.size())
+    if (effects_.empty())
+    {
+        Info<< "Warning: constant/effects holds no effect" << nl << endl;
+    }
+    else
     {
         Info<< "Effects: ";
         tellNames(Info);

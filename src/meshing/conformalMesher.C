@@ -27,6 +27,10 @@ static const label digits = 20;
 static const char* const places =
     " (position and shape in constant/bodies, domain in system/blockMeshDict)";
 
+//- Shortest mean edge of a body, in units of the last of these digits: bodies
+//  that round-off would deform
+static const scalar finestEdge = 20;
+
 static vector rounded(const vector& x, const scalar unit)
 {
     return unit*vector
@@ -58,6 +62,42 @@ static List<bodySurface> rounded
 } // End namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsbi::conformalMesher::checkPlaces
+(
+    const wordList& names,
+    const UList<bodySurface>& bodies,
+    const boundBox& domain,
+    const scalar unit
+)
+{
+    forAll(bodies, b)
+    {
+        const boundBox box(bodies[b].bounds());
+        if (!domain.overlaps(box))
+        {
+            FatalErrorInFunction
+                << "Body '" << names[b] << "' lies outside the domain, near "
+                << box.centre() << places << exit(FatalError);
+        }
+        if (!domain.contains(box))
+        {
+            FatalErrorInFunction
+                << "Body '" << names[b] << "' crosses the boundary of the"
+                << " domain: it reaches from " << box.min() << " to "
+                << box.max() << ", the domain from " << domain.min() << " to "
+                << domain.max() << places << exit(FatalError);
+        }
+        if (bodies[b].meanEdge() < finestEdge*unit)
+        {
+            FatalErrorInFunction
+                << "Body '" << names[b] << "' is " << cmptMax(box.span())
+                << " large in a domain of " << cmptMax(domain.span())
+                << ": is it in another unit (scale)?" << exit(FatalError);
+        }
+    }
+}
+
 
 void Foam::fsbi::conformalMesher::checkInput
 (
@@ -305,6 +345,7 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
     const List<bodySurface> bodies(rounded(exact, unit));
     const vector shift(rounded(exactShift, unit));
     const bodySurface walls(walls_.transformed(tensor::I, shift));
+    checkPlaces(bodyNames, exact, walls.bounds(), unit);
     checkInput(bodyNames, bodies, walls);
     const serialScope serial;
     sizeField size

@@ -162,7 +162,7 @@ Foam::string Foam::fsbi::meshQuality::complaint
 ) const
 {
     OStringStream why;
-    if (nCells == 0 || minVolume <= 0)
+    if (nCells == 0 || !(minVolume > 0))
     {
         why << "smallest cell volume " << minVolume;
     }

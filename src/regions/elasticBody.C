@@ -10,6 +10,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "Time.H"
 #include "Tuple2.H"
 #include "IOdictionary.H"
+#include "bodyState.H"
 #include "meshQuality.H"
 #include "timeFunction.H"
 
@@ -86,10 +87,7 @@ void Foam::fsbi::elasticBody::readShape(const checkedDictionary& entries)
 {
     shape_ = bodyShape::New(entries.subDict("shape"));
     position_ = entries.get<point>("position");
-    const Tuple2<vector, scalar> turned
-    (
-        entries.getOrDefault("orientation", Tuple2<vector, scalar>(Zero, 0))
-    );
+    const Tuple2<vector, scalar> turned(orientationOf(entries));
     if (mag(turned.first()) > 0)
     {
         turned_ =
@@ -110,6 +108,13 @@ void Foam::fsbi::elasticBody::readHeld(const checkedDictionary& entries)
         const checkedDictionary box(entries.subDict("held"));
         held_ = boundBox(box.get<point>("min"), box.get<point>("max"));
         box.finish();
+        const vector span(held_.max() - held_.min());
+        if (cmptMin(span) < 0)
+        {
+            FatalIOErrorInFunction(box.dict())
+                << "The box 'held' has min " << held_.min() << " above max "
+                << held_.max() << exit(FatalIOError);
+        }
     }
     tethered_ = entries.found("tether");
     if (tethered_)
@@ -125,14 +130,17 @@ void Foam::fsbi::elasticBody::readDeformed(const checkedDictionary& entries)
     sphere.choice("type", {"sphere"});
     const scalar radius = sphere.positive("radius");
     const checkedDictionary map(entries.subDict("deformed"));
-    deformed_.reset
-    (
-        new leukocyteMap
-        (
-            radius, map.get<scalar>("Ax"), map.get<scalar>("Ay"),
-            map.get<scalar>("By")
-        )
-    );
+    const scalar Ax = map.get<scalar>("Ax");
+    const scalar Ay = map.get<scalar>("Ay");
+    const scalar By = map.get<scalar>("By");
+    if (!leukocyteMap::invertible(radius, Ax, Ay, By))
+    {
+        FatalIOErrorInFunction(map.dict())
+            << "A sphere of radius " << radius << " folds over itself with Ax "
+            << Ax << ", Ay " << Ay << ", By " << By << ": |Ax| must be below"
+            << " 0.637 radius, Ay and By below 1" << exit(FatalIOError);
+    }
+    deformed_.reset(new leukocyteMap(radius, Ax, Ay, By));
     map.finish();
 }
 

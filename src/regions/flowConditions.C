@@ -41,7 +41,9 @@ Foam::fsbi::flowConditions::flowConditions
 
 void Foam::fsbi::flowConditions::read()
 {
-    dictionary dict(startField(time_, "fluid", "U"));
+    dictionary dict(startField(time_, "fluid", "U", dimVelocity));
+    checkPatches(dict, mesh_.mesh());
+    checkBodies(dict.subDict("boundaryField"));
 
     // values of an earlier mesh, where the condition knows better
     for (entry& e : dict.subDict("boundaryField"))
@@ -60,6 +62,37 @@ void Foam::fsbi::flowConditions::read()
         }
     }
     conditions_ = dict;
+}
+
+
+void Foam::fsbi::flowConditions::checkBodies(const dictionary& patches) const
+{
+    for (const word& name : namesOf(mesh_.bodies()))
+    {
+        const entry* e = patches.findEntry(name, keyType::LITERAL);
+        if (!e)
+        {
+            continue;
+        }
+        // as a state at time 0 has it
+        const dictionary& given = e->isDict() ? e->dict() : dictionary::null;
+        const entry* value = given.findEntry("value");
+        const bool ours =
+            given.getOrDefault<word>("type", "")
+         == fixedValueFvPatchVectorField::typeName
+         && value && value->isStream() && value->stream().size()
+         && (
+                value->stream()[0] == token(word("nonuniform"))
+             || vectorField("value", given, 1)[0] == vector(Zero)
+            );
+        if (!ours)
+        {
+            FatalIOErrorInFunction(patches)
+                << "Patch '" << name << "' is the surface of a body, whose"
+                << " velocity is that of its motion (constant/bodies): remove"
+                << " its entry" << exit(FatalIOError);
+        }
+    }
 }
 
 

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fluidMesh.H"
 #include "checkedDictionary.H"
+#include "untrapped.H"
 #include "Time.H"
 #include "pointIOField.H"
 #include "wallPolyPatch.H"
@@ -108,8 +109,7 @@ void Foam::fsbi::fluidMesh::readFollow()
     }
     const checkedDictionary follow(remeshDict_.subDict("follow"));
     followed_ = namesOf(bodies_).find(follow.choice("body", namesOf(bodies_)));
-    direction_ = follow.getOrDefault<vector>("direction", vector(1, 0, 0));
-    direction_ /= max(mag(direction_), VSMALL);
+    direction_ = follow.direction("direction", vector(1, 0, 0));
     follow.finish();
     remeshDict_.remove("follow");
 }
@@ -405,6 +405,8 @@ Foam::fsbi::fluidMesh::outcome Foam::fsbi::fluidMesh::follow
 )
 {
     auto timer = timings_.measure("meshing");
+    // of bodies that a step has thrown far away
+    const untrapped scope;
     move();
 
     // a mesh that could not be made better is not worn out from the start

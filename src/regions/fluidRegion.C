@@ -24,6 +24,8 @@ Foam::fsbi::fluidRegion::fluidRegion
     mesh_(time, bodies, t, savedMesh),
     conditions_(time, mesh_)
 {
+    checkedDictionary::checkBlocks(mesh().solutionDict(), {"coupling"});
+    checkedDictionary::checkBlocks(mesh().schemesDict(), {});
     if (savedMesh.size())
     {
         readFields();

@@ -6,7 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene.H"
 #include "rollingLeukocyte.H"
 #include "Time.H"
-#include "IFstream.H"
+#include "caseInput.H"
 #include "HashSet.H"
 
 Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
@@ -21,10 +21,6 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
             IOobject::NO_WRITE, false
         )
     );
-    if (isFile(dict.objectPath()) && Pstream::master())
-    {
-        checkNames(dict.objectPath());
-    }
     checkSaved(dict, saved);
     readBodies(dict, saved.subOrEmptyDict("bodies"));
     checkParts();
@@ -51,6 +47,7 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
             )
         );
     }
+    tellUnread();
     createEffects(saved.subOrEmptyDict("effects"));
     if (fluid_ && solids_.size())
     {
@@ -60,6 +57,17 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
             coupling_->restore(saved.subDict("coupling"));
         }
     }
+}
+
+
+void Foam::fsbi::scene::tellUnread() const
+{
+    wordList regions(fluid_ ? 1 : 0, word("fluid"));
+    for (const solidRegion& solid : solids_)
+    {
+        regions.append(solid.name());
+    }
+    caseInput::tellUnread(time_, regions);
 }
 
 
@@ -173,37 +181,6 @@ void Foam::fsbi::scene::checkRegions() const
             << " and the elastic bodies of constant/bodies. Write the same"
             << " here, for OpenFOAM's tools, or remove the file"
             << exit(FatalIOError);
-    }
-}
-
-
-void Foam::fsbi::scene::checkNames(const fileName& file)
-{
-    // OpenFOAM would merge two bodies of one name
-    IFstream is(file);
-    wordHashSet names;
-    word last;
-    label depth = 0;
-    token t;
-    while (is.good() && !is.read(t).bad() && t.good())
-    {
-        if (t.isPunctuation() && t.pToken() == token::BEGIN_BLOCK)
-        {
-            if (depth++ == 0 && !names.insert(last))
-            {
-                FatalIOErrorInFunction(is)
-                    << "There are two bodies with the name '" << last << "'"
-                    << exit(FatalIOError);
-            }
-        }
-        else if (t.isPunctuation() && t.pToken() == token::END_BLOCK)
-        {
-            --depth;
-        }
-        else if (t.isWord())
-        {
-            last = t.wordToken();
-        }
     }
 }
 

@@ -48,20 +48,10 @@ Foam::dictionary Foam::fsbi::solidConditions::fieldDictionary
                 "{ \".*\" { type traction; value uniform (0 0 0); } }"
             )()
         )
-      : startField(mesh.time(), mesh.name(), "D")
+      : startField(mesh.time(), mesh.name(), "D", dimLength)
     );
+    checkPatches(dict, mesh);
     dictionary& patches = dict.subDict("boundaryField");
-    const wordList names(mesh.boundaryMesh().names());
-    for (const entry& e : patches)
-    {
-        if (!e.keyword().isPattern() && !names.found(e.keyword()))
-        {
-            FatalIOErrorInFunction(patches)
-                << "Field D has conditions for a patch '" << e.keyword()
-                << "', but the patches of body '" << mesh.name() << "' are "
-                << flatOutput(names) << exit(FatalIOError);
-        }
-    }
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
         if (pp.coupled())

@@ -70,6 +70,7 @@ const Foam::dictionary& Foam::fsbi::solidRegion::controls() const
 
 void Foam::fsbi::solidRegion::create(const bool saved)
 {
+    checkNumerics();
     readFormulation();
     volumes_ = mesh().cellVolumes();
     centres_ = mesh().cellCentres();
@@ -88,6 +89,14 @@ void Foam::fsbi::solidRegion::create(const bool saved)
             conditions_->given().kinds[i] != solidBoundary::coupled
          && body_.held(x);
         heldAt[i] = body_.displacement(x);
+    }
+    if (body_.hasBox() && !returnReduce(held.found(true), orOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "The box 'held' of body '" << name() << "' in constant/bodies"
+            << " holds no face of its surface, which reaches from "
+            << mesh().bounds().min() << " to " << mesh().bounds().max()
+            << exit(FatalError);
     }
     conditions_->hold(held, heldAt);
     checkStatics();
@@ -127,6 +136,21 @@ void Foam::fsbi::solidRegion::create(const bool saved)
         rows_.x = &x_;
         setMoved();
     }
+}
+
+
+void Foam::fsbi::solidRegion::checkNumerics() const
+{
+    checkedDictionary::checkBlocks(mesh().solutionDict(), {"solid"});
+    checkedDictionary::checkBlocks(mesh().schemesDict(), {"d2dt2Schemes"});
+    const dictionary chosen
+    (
+        mesh().schemesDict().subOrEmptyDict("d2dt2Schemes")
+    );
+    const checkedDictionary schemes(chosen);
+    schemes.found("default");
+    schemes.found("d2dt2(D)");
+    schemes.finish();
 }
 
 

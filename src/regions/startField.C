@@ -25,7 +25,8 @@ Foam::dictionary Foam::fsbi::startField
 (
     const Time& time,
     const word& region,
-    const word& name
+    const word& name,
+    const dimensionSet& dimensions
 )
 {
     dictionary dict;
@@ -45,7 +46,37 @@ Foam::dictionary Foam::fsbi::startField
     }
     Pstream::scatter(dict);
     dict.name() = file;
+    const dimensionSet given(dict.lookup("dimensions"));
+    if (given != dimensions)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'dimensions' of field " << name << " is " << given
+            << ", but must be " << dimensions << exit(FatalIOError);
+    }
     return dict;
+}
+
+
+void Foam::fsbi::checkPatches(const dictionary& field, const polyMesh& mesh)
+{
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    const wordList names(patches.names());
+    const dictionary& conditions = field.subDict("boundaryField");
+    for (const entry& e : conditions)
+    {
+        if
+        (
+            !e.keyword().isPattern() && !names.found(e.keyword())
+         && !patches.groupPatchIDs().found(e.keyword())
+         && !polyPatch::constraintType(e.keyword())
+        )
+        {
+            FatalIOErrorInFunction(conditions)
+                << "There are conditions for a patch '" << e.keyword()
+                << "', but the patches of region '" << mesh.name() << "' are "
+                << flatOutput(names) << exit(FatalIOError);
+        }
+    }
 }
 
 

@@ -26,8 +26,8 @@ Foam::fsbi::SIMPLEC::SIMPLEC
 {
     const checkedDictionary entries(dict);
     knowOthers(entries);
-    tolerance_ = entries.positive("tolerance", 1e-6);
-    maxIterations_ = entries.getOrDefault<label>("maxIterations", 2000);
+    tolerance_ = entries.tolerance("tolerance", 1e-6);
+    maxIterations_ = entries.count("maxIterations", 2000);
     alpha_ = entries.positive("relaxation", 0.9);
     omegaImp_ = entries.getOrDefault<scalar>("omegaImp", 0);
     entries.finish();

@@ -45,8 +45,8 @@ Foam::fsbi::coupledSystem::coupledSystem
 {
     const checkedDictionary entries(dict);
     knowOthers(entries);
-    tolerance_ = entries.positive("tolerance", 1e-6);
-    maxIterations_ = entries.getOrDefault<label>("maxIterations", 300);
+    tolerance_ = entries.tolerance("tolerance", 1e-6);
+    maxIterations_ = entries.count("maxIterations", 300);
     entries.finish();
 
     closed_ = stokes.closed();

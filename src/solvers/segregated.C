@@ -26,9 +26,9 @@ Foam::fsbi::segregated::segregated
     elastic_(elastic),
     material_(material),
     residual_(mesh, elastic, material),
-    tolerance_(entries.positive("tolerance", 1e-8)),
+    tolerance_(entries.tolerance("tolerance", 1e-8)),
     relaxation_(entries.positive("relaxation", 1)),
-    maxIterations_(entries.getOrDefault<label>("maxIterations", 100000)),
+    maxIterations_(entries.count("maxIterations", 100000)),
     rows_(elastic.size())
 {
     if (elastic.mixed())

@@ -33,3 +33,25 @@ Foam::autoPtr<Foam::fsbi::solidSolver> Foam::fsbi::solidSolver::New
     entries.finish();
     return solver;
 }
+
+
+void Foam::fsbi::solidSolver::tellUnused
+(
+    const dictionary& dict, const word& body
+)
+{
+    const checkedDictionary entries(dict);
+    entries.found("formulation");
+    entries.found("mixed");
+    for (const char* key : {"method", "tolerance", "maxIterations", "relaxation"})
+    {
+        if (entries.found(key))
+        {
+            Info<< "Warning: entry '" << key << "' of 'solid' in system/"
+                << body.c_str() << "/fvSolution is not used: fluid and body are"
+                << " solved for at once, by 'coupling' in"
+                << " system/fluid/fvSolution" << nl << endl;
+        }
+    }
+    entries.finish();
+}

@@ -154,5 +154,9 @@ void Foam::fsbi::stepControl::choose(const scene& scene)
         chosen_ = deltaT;
         limit_ = "deltaT";
     }
-    time_.setDeltaT(chosen_, false);
+    const scalar left = time_.endTime().value() - time_.value();
+    const bool last =
+        left > sameTime*deltaT && left < (1 + sameTime)*chosen_;
+    limit_ = last && left < (1 - sameTime)*chosen_ ? "endTime" : limit_;
+    time_.setDeltaT(last ? left : chosen_, false);
 }

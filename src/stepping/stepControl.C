@@ -6,8 +6,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "stepControl.H"
 #include "checkedDictionary.H"
 #include <csignal>
-#include <numeric>
-#include <vector>
 #include <unistd.h>
 
 namespace
@@ -34,28 +32,6 @@ const Foam::scalar unresolvedTurn = 1;
 
 //- Shorter steps tried, where one fails, to end an interrupted run with
 const Foam::label maxLastTries = 1;
-
-//- Insertions, removals and exchanges that turn one word into the other
-int editDistance(const std::string& a, const std::string& b)
-{
-    std::vector<int> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), 0);
-    for (size_t i = 1; i <= a.size(); ++i)
-    {
-        int diagonal = row[0];
-        row[0] = i;
-        for (size_t j = 1; j <= b.size(); ++j)
-        {
-            const int above = row[j];
-            row[j] = std::min
-            (
-                {above + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1])}
-            );
-            diagonal = above;
-        }
-    }
-    return row[b.size()];
-}
 
 //- Seconds in the unit that reads best
 std::string readable(const Foam::scalar seconds)
@@ -97,8 +73,6 @@ Foam::fsbi::stepControl::stepControl(Time& time)
     began_(-1),
     firstTime_(time.value())
 {
-    checkEntries();
-    checkSpelling();
     noteDefaults();
     speaker = Pstream::master();
     std::signal(SIGINT, onInterrupt);
@@ -139,55 +113,6 @@ Foam::scalar Foam::fsbi::stepControl::shortest() const
 {
     return
         entry("minDeltaT", 1e-6*time_.controlDict().get<scalar>("deltaT"));
-}
-
-
-void Foam::fsbi::stepControl::checkEntries() const
-{
-    for
-    (
-        const word key :
-        {
-            "deltaT", "writeInterval", "maxDeltaT", "maxRotation", "maxTravel",
-            "maxApproach", "minDeltaT"
-        }
-    )
-    {
-        if (!(entry(key, 1) > 0))
-        {
-            FatalIOErrorInFunction(time_.controlDict())
-                << "Entry '" << key << "' must be above zero, but is "
-                << entry(key, 1) << exit(FatalIOError);
-        }
-    }
-}
-
-
-void Foam::fsbi::stepControl::checkSpelling() const
-{
-    // controlDict holds entries of others, too: only near misses are told
-    const wordList ours
-    ({
-        "adjustTimeStep", "maxDeltaT", "maxRotation", "maxTravel",
-        "maxApproach", "minDeltaT"
-    });
-    for (const Foam::entry& e : time_.controlDict())
-    {
-        for (const word& key : ours)
-        {
-            if
-            (
-                !ours.found(e.keyword())
-             && editDistance(e.keyword(), key) <= 2
-            )
-            {
-                FatalIOErrorInFunction(time_.controlDict())
-                    << "Unknown keyword '" << e.keyword() << "' on line "
-                    << e.startLineNumber() << ": is it " << key << "?"
-                    << exit(FatalIOError);
-            }
-        }
-    }
 }
 
 

@@ -76,7 +76,7 @@ void Foam::fsbi::dryRun::tellCost(scene& scene) const
     const scalar left = time_.endTime().value() - time_.value();
     const scalar steps = steps_ + max(left/time_.deltaTValue(), scalar(0));
     Info<< nl << "Estimate for this machine" << nl
-        << "    steps        " << label(steps + 0.5) << " of "
+        << "    steps        " << std::round(steps) << " of "
         << time_.deltaTValue() << ", " << secondsPerStep_ << " s each" << nl
         << "    new meshes   " << scene.clocks().seconds("meshing")
         << " s each, as the body moves" << nl

@@ -13,9 +13,11 @@ Description
 
 #include "petscObjects.H"
 #include "argList.H"
+#include "caseInput.H"
 #include "checkpoint.H"
 #include "dryRun.H"
 #include "recorder.H"
+#include "runLock.H"
 #include "savedProcesses.H"
 #include "toolFiles.H"
 
@@ -54,6 +56,9 @@ int main(int argc, char *argv[])
     // its own check says what to type
     argList::noCheckProcessorDirectories();
     argList args(argc, argv);
+    const fsbi::runLock lock(args);
+    fsbi::caseInput::check(args);
+    fsbi::stepControl::check(args);
     fsbi::stateFolder::recover(args.path());
     fsbi::savedProcesses::check(args);
     if (!args.checkRootCase())

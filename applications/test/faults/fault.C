@@ -17,7 +17,7 @@ Usage
         libs        ("libfault.so");
         body        tumourCell;
         push        (0 1 0);
-        times       nan;        // of the push; also infinite, none
+        times       nan;        // of the push; also infinite, huge, none
         attempt     3;
         attempts    1;
     }
@@ -64,6 +64,7 @@ public:
         push_ *=
             times == "nan" ? std::nan("")
           : times == "infinite" ? std::numeric_limits<scalar>::infinity()
+          : times == "huge" ? 1e299
           : 1;
     }
 

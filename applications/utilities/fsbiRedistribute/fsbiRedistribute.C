@@ -27,6 +27,7 @@ Usage
 
 #include "argList.H"
 #include "savedRegion.H"
+#include "runLock.H"
 #include "savedProcesses.H"
 #include "HashSet.H"
 #include "OSspecific.H"
@@ -239,6 +240,7 @@ int main(int argc, char *argv[])
             << "For how many processes? Type   fsbiRedistribute -np N"
             << exit(FatalError);
     }
+    const fsbi::runLock lock(args);
     exchangeFolders(path);
 
     const savedState state(find(path, number, at));

@@ -37,6 +37,7 @@ Usage
 #include "petscObjects.H"
 #include "resistance.H"
 #include "argList.H"
+#include "caseInput.H"
 #include "checkpoint.H"
 #include "OFstream.H"
 #include "OSspecific.H"
@@ -226,6 +227,7 @@ int main(int argc, char *argv[])
         "Write the fluid's force per area on the bodies at rest; no matrices"
     );
     #include "setRootCase.H"
+    fsbi::caseInput::check(args);
     #include "createTime.H"
 
     fsbi::petscSession petsc;

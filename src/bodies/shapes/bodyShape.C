@@ -56,13 +56,11 @@ Foam::fsbi::bodySurface Foam::fsbi::bodyShape::fineEnough
     bodySurface&& surface
 ) const
 {
-    // fewer do not describe a body: drag would be off by tens of per cent
-    constexpr label fewest = 100;
-    if (surface.triangles().size() < fewest)
+    if (surface.triangles().size() < fewestTriangles)
     {
         FatalIOErrorInFunction(entries_.dict())
             << "The shape has only " << surface.triangles().size()
-            << " triangles, a body needs " << fewest
+            << " triangles, a body needs " << label(fewestTriangles)
             << " or more: choose a smaller 'size'" << exit(FatalIOError);
     }
     return std::move(surface);

@@ -34,7 +34,7 @@ Foam::fsbi::surfaceFile::surfaceFile(const dictionary& dict)
             << "There is no surface file '" << file_ << "'"
             << exit(FatalIOError);
     }
-    const triSurface read(file_);
+    const triSurface read(readFile());
     List<triFace> triangles(read.size());
     forAll(triangles, i)
     {
@@ -45,6 +45,40 @@ Foam::fsbi::surfaceFile::surfaceFile(const dictionary& dict)
     (
         scale*read.localPoints(), std::move(triangles)
     );
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::triSurface Foam::fsbi::surfaceFile::readFile() const
+{
+    triSurface surface;
+    string reason;
+    const bool throwing = FatalError.throwExceptions();
+    const bool throwingIO = FatalIOError.throwExceptions();
+    try
+    {
+        surface = triSurface(file_);
+    }
+    catch (const error& e)
+    {
+        reason = e.message();
+    }
+    FatalError.throwExceptions(throwing);
+    FatalIOError.throwExceptions(throwingIO);
+    if (reason.empty() && surface.size() < fewestTriangles)
+    {
+        reason =
+            "it has " + Foam::name(surface.size()) + " triangles, a body needs "
+          + Foam::name(label(fewestTriangles)) + " or more";
+    }
+    if (reason.size())
+    {
+        FatalIOErrorInFunction(entries_.dict())
+            << "The surface file '" << file_ << "' cannot be used: "
+            << reason.c_str() << exit(FatalIOError);
+    }
+    return surface;
 }
 
 
