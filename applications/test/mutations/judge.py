@@ -12,7 +12,7 @@ foreign       OpenFOAM's blockMesh, which is not this project's, ends by a signa
               or with a message that would be unclear
 refused       exit code not zero and one fatal message, which names the file,
               and of an entry the keyword, what it was changed to, the dictionary
-              it is in, or its line (but of SYNTAX, which no reader can place);
+              it is in, or its line (but of the header and of SYNTAX);
               or what a keyword or the path of a file was misspelt to; or, of
               values that are none of the SLIPS, why a mesh or a step fails
 unclear       a message that does not, or more than one
@@ -38,7 +38,7 @@ import h5py
 import numpy as np
 
 import legitimate
-from mutate import apply
+from mutate import HEADER, apply
 from program import Program
 
 GOOD = ("refused", "told", "different", "legitimate", "foreign")
@@ -212,13 +212,15 @@ class Judge:
         """What a message does not name of a mutation."""
         if mutation.kind not in SLIPS and FAILS.search(message):
             return ""
-        if (mutation.kind == "misspelt" or "/" in mutation.new) and named(mutation.new, message):
+        path = mutation.keyword == "file"
+        if (mutation.kind == "misspelt" or path) and named(mutation.new, message):
             return ""
         names = {mutation.file, mutation.file.split("/", 1)[1], *self.includes(mutation.file)}
         if not any(name in message for name in names):
             return "the file is not named"
         words = (*mutation.path, mutation.new)
-        if not mutation.path or mutation.kind in SYNTAX or any(named(w, message) for w in words):
+        if not mutation.path or mutation.path[0] == HEADER or mutation.kind in SYNTAX \
+                or any(named(word, message) for word in words):
             return ""
         for low, high in re.findall(r"line (\d+)(?: to line (\d+))?", message):
             if int(low) - 1 <= mutation.line <= int(high or low) + 1:
