@@ -40,6 +40,14 @@ static void checkDomain(const polyMesh& domain)
                 << " type; choose patch or wall in system/blockMeshDict"
                 << exit(FatalError);
         }
+        // what blockMesh makes of faces that it finds in no patch
+        if (patch.type() == "empty" && patch.size())
+        {
+            FatalErrorInFunction
+                << "Patch '" << patch.name() << "' of the domain is 'empty': "
+                << patch.size() << " faces are in no patch of the boundary in"
+                << " system/blockMeshDict" << exit(FatalError);
+        }
     }
 }
 
