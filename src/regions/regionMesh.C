@@ -4,11 +4,16 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "regionMesh.H"
+#include "carriedFields.H"
 #include "meshDistribution.H"
 #include "Time.H"
 #include "pointIOField.H"
 #include "OStringStream.H"
 #include "IStringStream.H"
+#include "IFstream.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "faceIOList.H"
 
 namespace Foam
 {
@@ -20,6 +25,39 @@ static fileName folderOf(const word& region)
         region == polyMesh::defaultRegion
       ? fileName(polyMesh::meshSubDir)
       : region/polyMesh::meshSubDir;
+}
+
+//- Of the files of a mesh without cells that only names a region
+static const string emptyNote("the meshes are in the time folders");
+
+//- Is there a mesh, other than one of writeEmptyMesh?
+static bool isMesh(const fileName& folder)
+{
+    if (!isFile(folder/"points"))           // or points.gz
+    {
+        return false;
+    }
+    IFstream is(folder/"points");
+    const token first(is);
+    return
+        !first.isWord()
+     || dictionary(is).getOrDefault<string>("note", "") != emptyNote;
+}
+
+static void writeEmpty
+(
+    const fileName& folder, const word& name, const word& type,
+    const string& content
+)
+{
+    OFstream os(folder/name);
+    os  << "FoamFile" << nl << token::BEGIN_BLOCK << incrIndent << nl;
+    os.writeEntry("version", "2.0");
+    os.writeEntry("format", word("ascii"));
+    os.writeEntry("class", type);
+    os.writeEntry("note", emptyNote);
+    os.writeEntry("object", name);
+    os  << decrIndent << token::END_BLOCK << nl << nl << content.c_str() << nl;
 }
 
 //- Numbers of a part's cells, faces and points in the whole mesh, as a state
@@ -47,6 +85,17 @@ static void keep(const fvMesh& mesh, const word& name, labelList&& numbers)
     IOobject io(numbersObject(name, mesh.time().timeName(), mesh));
     io.readOpt() = IOobject::NO_READ;
     mesh.thisDb().store(new labelIOList(io, std::move(numbers)));
+}
+
+//- This process's part of the master's mesh
+static fsbi::meshDistribution distributed(const fsbi::meshLists& whole)
+{
+    labelList rank;
+    if (Pstream::master())
+    {
+        rank = fsbi::meshDistribution::bisect(whole, Pstream::nProcs());
+    }
+    return fsbi::meshDistribution(whole, rank);
 }
 
 //- Of a mesh that was read, if they are there
@@ -98,8 +147,10 @@ void Foam::fsbi::setNumbers
 
 bool Foam::fsbi::hasRegionMesh(const Time& time, const word& region)
 {
-    const fileName faces(time.constantPath()/folderOf(region)/"faces");
-    return returnReduce(isFile(faces), andOp<bool>());
+    return returnReduce
+    (
+        isMesh(time.constantPath()/folderOf(region)), andOp<bool>()
+    );
 }
 
 
@@ -129,12 +180,7 @@ Foam::autoPtr<Foam::fvMesh> Foam::fsbi::makeRegionMesh
     const meshLists& whole
 )
 {
-    labelList rank;
-    if (Pstream::master())
-    {
-        rank = meshDistribution::bisect(whole, Pstream::nProcs());
-    }
-    const meshDistribution part(whole, rank);
+    const meshDistribution part(distributed(whole));
     autoPtr<fvMesh> mesh
     (
         part.mesh.makeMesh
@@ -152,6 +198,23 @@ Foam::autoPtr<Foam::fvMesh> Foam::fsbi::makeRegionMesh
         setNumbers(mesh(), part.cells, part.faces, part.points);
     }
     return mesh;
+}
+
+
+void Foam::fsbi::replaceRegionMesh(fvMesh& mesh, const meshLists& whole)
+{
+    const meshDistribution part(distributed(whole));
+    const carriedFields others(mesh);
+    part.mesh.replaceIn(mesh);
+    others.putOn(mesh);
+    if (Pstream::parRun())
+    {
+        for (const word& name : numberNames)
+        {
+            mesh.thisDb().checkOut(name);
+        }
+        setNumbers(mesh, part.cells, part.faces, part.points);
+    }
 }
 
 
@@ -188,10 +251,38 @@ void Foam::fsbi::writeMesh
 }
 
 
+void Foam::fsbi::writeEmptyMesh(const fileName& constant, const fvMesh& mesh)
+{
+    const fileName folder(constant/folderOf(mesh.name()));
+    if (isMesh(folder))
+    {
+        return;
+    }
+    OStringStream patches;
+    const label n = mesh.boundaryMesh().nNonProcessor();
+    patches << n << nl << token::BEGIN_LIST << nl << incrIndent;
+    for (label i = 0; i < n; ++i)
+    {
+        OStringStream os;
+        mesh.boundaryMesh()[i].write(os);
+        dictionary dict(IStringStream(os.str())());
+        dict.set("nFaces", 0);
+        dict.set("startFace", 0);
+        patches << mesh.boundaryMesh()[i].name() << dict;
+    }
+    patches << token::END_LIST;
+    mkDir(folder);
+    writeEmpty(folder, "points", pointIOField::typeName, "0()");
+    writeEmpty(folder, "faces", faceIOList::typeName, "0()");
+    writeEmpty(folder, "owner", labelIOList::typeName, "0()");
+    writeEmpty(folder, "neighbour", labelIOList::typeName, "0()");
+    writeEmpty(folder, "boundary", polyBoundaryMesh::typeName, patches.str());
+}
+
+
 bool Foam::fsbi::wholeMesh::exists(const Time& time, const word& region)
 {
-    const fileName folder(time.globalPath()/time.constant()/folderOf(region));
-    return isFile(folder/"points");         // or points.gz
+    return isMesh(time.globalPath()/time.constant()/folderOf(region));
 }
 
 

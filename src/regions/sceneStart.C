@@ -146,9 +146,9 @@ void Foam::fsbi::scene::checkRegions() const
             IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
         )
     );
-    if (!dict.found("regions"))
+    if (!dict.found("regions") || dict.found("madeBy"))
     {
-        return;
+        return;         // there is none of the user's
     }
     const HashTable<wordList> regions(dict.lookup("regions"));
     wordHashSet fluids, solids;

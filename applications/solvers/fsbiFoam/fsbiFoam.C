@@ -15,8 +15,10 @@ Description
 #include "argList.H"
 #include "checkpoint.H"
 #include "dryRun.H"
+#include "functionRunner.H"
 #include "recorder.H"
 #include "savedProcesses.H"
+#include "toolFiles.H"
 
 using namespace Foam;
 
@@ -80,7 +82,9 @@ int main(int argc, char *argv[])
     {
         states.write(scene, steps);
     }
+    fsbi::writeToolFiles(runTime, scene);
     fsbi::recorder history(runTime, scene, restarted, defaults.lines());
+    fsbi::functionRunner functions(runTime, scene);
 
     while (steps.next(scene))
     {
@@ -98,8 +102,10 @@ int main(int argc, char *argv[])
         steps.accept(scene);
         history.append(steps.limit());
         states.writeWhenDue(scene, steps);
+        functions.execute(steps.saveDue());
     }
 
+    functions.end();
     steps.conclude();
     scene.clocks().report(Info);
     runTime.printExecutionTime(Info);
