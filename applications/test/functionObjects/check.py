@@ -37,7 +37,7 @@ def rows(path):
     if len(files) != 1:
         fail(f"{len(files)} files {path}")
     with open(files[0]) as file:
-        lines = [re.findall(r"[-+]?[\d.]+(?:e[-+]\d+)?", line)
+        lines = [re.findall(r"(?<![\w.])[-+]?[\d.]+(?:e[-+]\d+)?", line)
                  for line in file if not line.startswith("#")]
     return [np.array(line, float) for line in lines if line]
 
@@ -106,18 +106,18 @@ def everywhere(region, field):
                           + [vtkCase.cells(p, field) for p in patches.values()])
 
 
-def extremes(case, region="fluid", fields=("U", "p"), n=1):
+def extremes(case, region="fluid", fields=("U", "p")):
     table = output(case, "range", mesh=region)
     for time, regions in saved(case):
         found = [row[1:] for row in table if row[0] == time]
         for field, row in zip(fields, found):
             values = everywhere(regions[region], field)
-            values = values.reshape(len(values), -1)
-            k = values.shape[1]
-            least, most = row[:k], row[k + 3 * n:2 * k + 3 * n]
+            if values.ndim > 1:
+                values = np.linalg.norm(values, axis=1)
             scale = np.abs(values).max()
-            near(f"min {field} at {time:g}", least, values.min(axis=0), scale)
-            near(f"max {field} at {time:g}", most, values.max(axis=0), scale)
+            # row: least, where, most, where
+            near(f"min {field} at {time:g}", row[0], values.min(), scale)
+            near(f"max {field} at {time:g}", row[4], values.max(), scale)
 
 
 def volume(case):
