@@ -33,7 +33,27 @@ Foam::autoPtr<Foam::fvMesh> Foam::fsbi::meshLists::makeMesh
             labelList(owner), labelList(neighbour)
         )
     );
+    addPatches(mesh());
+    return mesh;
+}
 
+
+void Foam::fsbi::meshLists::replaceIn(fvMesh& mesh) const
+{
+    mesh.removeFvBoundary();        // and what follows from cells and points
+    mesh.resetMotion();
+    mesh.resetPrimitives
+    (
+        autoPtr<pointField>::New(points), autoPtr<faceList>::New(faces),
+        autoPtr<labelList>::New(owner), autoPtr<labelList>::New(neighbour),
+        labelList(), labelList()
+    );
+    addPatches(mesh);
+}
+
+
+void Foam::fsbi::meshLists::addPatches(fvMesh& mesh) const
+{
     List<polyPatch*> patches(patchNames.size());
     forAll(patches, i)
     {
@@ -41,10 +61,9 @@ Foam::autoPtr<Foam::fvMesh> Foam::fsbi::meshLists::makeMesh
         dict.set("nFaces", patchSizes[i]);
         dict.set("startFace", patchStarts[i]);
         patches[i] =
-            polyPatch::New(patchNames[i], dict, i, mesh->boundaryMesh()).ptr();
+            polyPatch::New(patchNames[i], dict, i, mesh.boundaryMesh()).ptr();
     }
-    mesh->addFvPatches(patches);
-    return mesh;
+    mesh.addFvPatches(patches);
 }
 
 

@@ -212,8 +212,14 @@ bool Foam::fsbi::fluidMesh::generate
         return false;
     }
     release();
-    mesh_.clear();
-    mesh_ = makeRegionMesh(time_, "fluid", whole);
+    if (mesh_)
+    {
+        replaceRegionMesh(mesh_(), whole);
+    }
+    else
+    {
+        mesh_ = makeRegionMesh(time_, "fluid", whole);
+    }
     ++generation_;
     return true;
 }

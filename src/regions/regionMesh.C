@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "regionMesh.H"
+#include "carriedFields.H"
 #include "meshDistribution.H"
 #include "Time.H"
 #include "pointIOField.H"
@@ -84,6 +85,17 @@ static void keep(const fvMesh& mesh, const word& name, labelList&& numbers)
     IOobject io(numbersObject(name, mesh.time().timeName(), mesh));
     io.readOpt() = IOobject::NO_READ;
     mesh.thisDb().store(new labelIOList(io, std::move(numbers)));
+}
+
+//- This process's part of the master's mesh
+static fsbi::meshDistribution distributed(const fsbi::meshLists& whole)
+{
+    labelList rank;
+    if (Pstream::master())
+    {
+        rank = fsbi::meshDistribution::bisect(whole, Pstream::nProcs());
+    }
+    return fsbi::meshDistribution(whole, rank);
 }
 
 //- Of a mesh that was read, if they are there
@@ -168,12 +180,7 @@ Foam::autoPtr<Foam::fvMesh> Foam::fsbi::makeRegionMesh
     const meshLists& whole
 )
 {
-    labelList rank;
-    if (Pstream::master())
-    {
-        rank = meshDistribution::bisect(whole, Pstream::nProcs());
-    }
-    const meshDistribution part(whole, rank);
+    const meshDistribution part(distributed(whole));
     autoPtr<fvMesh> mesh
     (
         part.mesh.makeMesh
@@ -191,6 +198,23 @@ Foam::autoPtr<Foam::fvMesh> Foam::fsbi::makeRegionMesh
         setNumbers(mesh(), part.cells, part.faces, part.points);
     }
     return mesh;
+}
+
+
+void Foam::fsbi::replaceRegionMesh(fvMesh& mesh, const meshLists& whole)
+{
+    const meshDistribution part(distributed(whole));
+    const carriedFields others(mesh);
+    part.mesh.replaceIn(mesh);
+    others.putOn(mesh);
+    if (Pstream::parRun())
+    {
+        for (const word& name : numberNames)
+        {
+            mesh.thisDb().checkOut(name);
+        }
+        setNumbers(mesh, part.cells, part.faces, part.points);
+    }
 }
 
 

@@ -33,6 +33,13 @@ const Foam::scalar unresolvedTurn = 1;
 //- Shorter steps tried, where one fails, to end an interrupted run with
 const Foam::label maxLastTries = 1;
 
+//- Time::run(), which would also call function objects, before the state of
+//  the step is saved
+bool running(const Foam::Time& time)
+{
+    return time.value() < time.endTime().value() - 0.5*time.deltaTValue();
+}
+
 //- Seconds in the unit that reads best
 std::string readable(const Foam::scalar seconds)
 {
@@ -130,7 +137,12 @@ bool Foam::fsbi::stepControl::next(const scene& scene)
         }
         outputs_ = outputsUntil(time_.value());
         choose(scene);
-        if (!time_.run())
+        if (!running(time_))
+        {
+            return false;
+        }
+        time_.readModifiedObjects();
+        if (!running(time_))
         {
             return false;
         }

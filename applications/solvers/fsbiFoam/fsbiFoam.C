@@ -16,6 +16,7 @@ Description
 #include "caseInput.H"
 #include "checkpoint.H"
 #include "dryRun.H"
+#include "functionRunner.H"
 #include "recorder.H"
 #include "runLock.H"
 #include "savedProcesses.H"
@@ -92,6 +93,7 @@ int main(int argc, char *argv[])
     }
     fsbi::writeToolFiles(runTime, scene);
     fsbi::recorder history(runTime, scene, restarted, defaults.lines());
+    fsbi::functionRunner functions(runTime, scene);
 
     while (steps.next(scene))
     {
@@ -109,8 +111,10 @@ int main(int argc, char *argv[])
         steps.accept(scene);
         history.append(steps.limit());
         states.writeWhenDue(scene, steps);
+        functions.execute(steps.saveDue());
     }
 
+    functions.end();
     steps.conclude();
     scene.clocks().report(Info);
     runTime.printExecutionTime(Info);

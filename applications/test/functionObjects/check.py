@@ -1,0 +1,250 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Output of function objects against the saved states, as ParaView's reader has
+them, at every saved time. check.py CHECK CASE [CASE]"""
+
+import glob
+import os
+import re
+import sys
+
+import numpy as np
+import vtk
+
+sys.path.insert(0, os.path.join(os.environ["FSBI_DIR"], "applications/test/include"))
+import vtkCase
+
+STEPS = 9
+# bound: six digits of the output, single precision of the reader
+DIGITS = 1e-5
+RADIUS = 8                  # of the sphere
+
+
+def fail(text):
+    raise SystemExit(text)
+
+
+def near(what, value, reference, scale, bound=DIGITS):
+    error = np.max(np.abs(np.asarray(value) - reference)) / scale
+    print(f"{what}: {error:.1e} of {scale:.3g}")
+    if not error <= bound:
+        fail(f"{what}: off by {error:.1e} of {scale:.3g}, bound {bound}")
+
+
+def rows(path):
+    """Numbers of every line that is no comment, by time; one file there is."""
+    files = glob.glob(path)
+    if len(files) != 1:
+        fail(f"{len(files)} files {path}")
+    with open(files[0]) as file:
+        lines = [re.findall(r"(?<![\w.])[-+]?[\d.]+(?:e[-+]\d+)?", line)
+                 for line in file if not line.startswith("#")]
+    return [np.array(line, float) for line in lines if line]
+
+
+def output(case, name, file="*", mesh="fluid"):
+    return rows(f"{case}/postProcessing/{mesh}/{name}/*/{file}")
+
+
+def probed(case, name, field):
+    return rows(f"{case}/postProcessing/{name}/fluid/*/{field}")
+
+
+def saved(folder):
+    """Every saved time after the first, with its regions."""
+    case = vtkCase.Case(folder)
+    for time in case.times:
+        if time > 0:
+            yield time, case.at(time)
+
+
+def at(table, time):
+    return next(row[1:] for row in table if row[0] == time)
+
+
+def lines(case):
+    counts = {
+        "points U": len(probed(case, "points", "U")),
+        "points p": len(probed(case, "points", "p")),
+        "range": len(output(case, "range")) // 2,
+        "flow": len(output(case, "flow")),
+        "skin": len(output(case, "skin")),
+        "through": len(output(case, "through")),
+        "cuts": len(glob.glob(f"{case}/postProcessing/cuts/*/U_middle.raw")),
+        "lines": len(glob.glob(f"{case}/postProcessing/sets/lines/fluid/*/*.vtk")),
+    }
+    print(counts)
+    wrong = {name: n for name, n in counts.items() if n != STEPS}
+    if wrong or len(probed(case, "late", "U")) != 4:
+        fail(f"not one line a step: {wrong}")
+
+
+def inCells(mesh, points, field):
+    """Values of the cells that hold the points."""
+    return vtkCase.cells(mesh, field)[
+        [mesh.FindCell(p, None, 0, 1e-10, vtk.reference(0), [0, 0, 0], [0] * 8)
+         for p in points]]
+
+
+def probes(case, name="points", places=((20.3, 31.7, 104.2), (100.1, 90.7, 20.4),
+                                        (60.2, 60.4, 72.3))):
+    table = probed(case, name, "U")
+    for time, regions in saved(case):
+        if time < table[0][0]:
+            continue
+        u = inCells(regions["fluid"][0], places, "U")
+        near(f"U at {time:g}", at(table, time).reshape(-1, 3), u, 6e-3)
+
+
+def late(case):
+    probes(case, "late", ((100.1, 90.7, 20.4),))
+
+
+def everywhere(region, field):
+    mesh, patches = region
+    return np.concatenate([vtkCase.cells(mesh, field)]
+                          + [vtkCase.cells(p, field) for p in patches.values()])
+
+
+def extremes(case, region="fluid", fields=("U", "p")):
+    table = output(case, "range", mesh=region)
+    for time, regions in saved(case):
+        found = [row[1:] for row in table if row[0] == time]
+        for field, row in zip(fields, found):
+            values = everywhere(regions[region], field)
+            if values.ndim > 1:
+                values = np.linalg.norm(values, axis=1)
+            scale = np.abs(values).max()
+            # row: least, where, most, where
+            near(f"min {field} at {time:g}", row[0], values.min(), scale)
+            near(f"max {field} at {time:g}", row[4], values.max(), scale)
+
+
+def volume(case):
+    table = output(case, "flow")
+    for time, regions in saved(case):
+        mesh = regions["fluid"][0]
+        flow = vtkCase.volumes(mesh) @ vtkCase.cells(mesh, "U")
+        near(f"flow at {time:g}", at(table, time), flow, np.abs(flow).max())
+
+
+def area(polygons):
+    size = vtk.vtkCellSizeFilter()
+    size.SetInputData(polygons)
+    size.Update()
+    return vtkCase.cells(size.GetOutput(), "Area")
+
+
+def cutBy(mesh, origin, normal):
+    plane = vtk.vtkPlane()
+    plane.SetOrigin(origin)
+    plane.SetNormal(normal)
+    cutter = vtk.vtkCutter()
+    cutter.SetCutFunction(plane)
+    cutter.SetInputData(mesh)
+    cutter.Update()
+    return cutter.GetOutput()
+
+
+def areas(case):
+    skin, through = output(case, "skin"), output(case, "through")
+    for time, regions in saved(case):
+        mesh, patches = regions["fluid"]
+        A = area(patches["tumourCell"])
+        mean = A @ vtkCase.cells(patches["tumourCell"], "U") / A.sum()
+        values = at(skin, time)
+        near(f"area of the body at {time:g}", values[0], A.sum(), A.sum())
+        near(f"U on it at {time:g}", values[1:], mean, np.abs(mean).max())
+        cut = cutBy(mesh, (90, 60, 60), (1, 0, 0))
+        flow = area(cut) @ vtkCase.cells(cut, "U")
+        near(f"flow through x = 90 at {time:g}", at(through, time), flow,
+             np.abs(flow).max(), 10 * DIGITS)
+
+
+def cut(case):
+    for time, regions in saved(case):
+        values = np.loadtxt(f"{case}/postProcessing/cuts/{time:g}/U_middle.raw")
+        u = inCells(regions["fluid"][0], values[:, :3], "U")
+        good = np.mean(np.abs(values[:, 3:] - u).max(axis=1) < 6e-3 * DIGITS)
+        print(f"{len(u)} faces at {time:g}, {100*good:.1f} % with their cell's U")
+        # bound: a face's middle may lie on the edge of its cell
+        if len(u) < 100 or good < 0.99:
+            fail(f"{100*good:.1f} % of {len(u)} faces at {time:g} are right")
+
+
+def tracks(case):
+    for file in glob.glob(f"{case}/postProcessing/sets/lines/fluid/*/*.vtk"):
+        reader = vtk.vtkPolyDataReader()
+        reader.SetFileName(file)
+        reader.Update()
+        data = reader.GetOutput()
+        if data.GetNumberOfLines() != 5:
+            fail(f"{data.GetNumberOfLines()} tracks in {file}")
+        x = vtkCase.points(data)
+        ids = vtk.vtkIdList()
+        for line in range(5):
+            data.GetCellPoints(line, ids)
+            way = x[[ids.GetId(i) for i in range(ids.GetNumberOfIds())]]
+            # bound: a track through the domain ends at its end; the sphere, four
+            # radii away, turns it by less than (radius/distance)^2
+            near("start", way[0, 0], 5, 120)
+            near("end", way[-1, 0], 120, 120, 0.01)
+            near("height", way[:, 2], way[0, 2], 120, 1 / 16)
+
+
+def mean(case):
+    for time, regions in saved(case):
+        mesh = regions["fluid"][0]
+        x = vtkCase.centres(mesh)
+        # the sphere moves from x = 25 at 3e-3 a unit of time
+        way = x - np.array([25, 60, 60])
+        way[:, 0] -= np.clip(way[:, 0], 0, 3e-3 * time)
+        far = np.linalg.norm(way, axis=1) > 4 * RADIUS
+        u, average = (vtkCase.cells(mesh, f)[far] for f in ("U", "UMean"))
+        # bound: there the sphere changes the flow by 2.5 (a/r)^2 a G/2 = 0.5 %
+        # of the fastest, and cells move with a turn of 0.15 by less than as
+        # much again in the gradient; values of nearest cells alone would be
+        # off by their distance times the gradient, 5 %
+        near(f"mean at {time:g}", average, u, 6e-3, 0.015)
+
+
+def same(case, other):
+    # bound: the solver's tolerance of 1e-10, amplified by round-off in the mesh;
+    # tables have six digits
+    for name in ("flow", "skin", "through"):
+        a, b = (np.array(output(c, name)) for c in (case, other))
+        for column in range(1, a.shape[1]):
+            near(f"{name} {column}", a[:, column], b[:, column],
+                 np.abs(a[:, 1:]).max(), 1e-4)
+    for field in "U", "p":
+        a, b = (np.array(probed(c, "points", field))[:, 1:] for c in (case, other))
+        near(f"probes {field}", a, b, np.abs(a).max(), 1e-4)
+
+
+def continued(case, other):
+    a, b = (vtkCase.Case(c) for c in (case, other))
+    last = a.times[-1]
+    a, b = (vtkCase.cells(c.at(last)["fluid"][0], "UMean") for c in (a, b))
+    near("mean at the end", b, a, 6e-3, 1e-6)
+
+
+def elastic(case):
+    extremes(case, "cell", ("D",))
+    around = output(case, "around")
+    volume = output(case, "volume", mesh="cell")
+    for time, regions in saved(case):
+        mesh, patches = regions["cell"]
+        surface = patches["cell"]
+        moved = vtkCase.points(surface) + vtkCase.vertices(surface, "pointD")
+        a, b, c = np.moveaxis(moved[vtkCase.corners(surface)], 1, 0)
+        A = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()
+        near(f"area in the fluid at {time:g}", at(around, time)[0], A, A)
+        x = vtkCase.points(mesh) + vtkCase.vertices(mesh, "pointD")
+        a, b, c, d = np.moveaxis(x[vtkCase.corners(mesh)], 1, 0)
+        V = np.abs(np.einsum("ij,ij->i", b - a, np.cross(c - a, d - a))) / 6
+        D = vtkCase.cells(mesh, "D")
+        near(f"integral of D at {time:g}", at(volume, time), V @ D,
+             V @ np.linalg.norm(D, axis=1))
+
+
+globals()[sys.argv[1]](*sys.argv[2:])

@@ -1,0 +1,218 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "functionRunner.H"
+#include "mapPolyMesh.H"
+#include "timeControlFunctionObject.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Of OpenFOAM's own: they keep faces or cells and have no updateMesh, or, as
+//  the sampled surface of surfaceFieldValue, one that forgets them
+static const wordList forgetful
+({
+    "surfaceFieldValue", "nearWallFields", "mapFields"
+});
+
+//- The object itself, also outside its times: it must know the mesh then, too
+static functionObject& inner(functionObject& object)
+{
+    typedef functionObjects::timeControl timeControl;
+    return
+        isA<timeControl>(object)
+      ? const_cast<functionObject&>(refCast<timeControl>(object).filter())
+      : object;
+}
+
+//- What OpenFOAM wants to know of a mesh in which nothing is as it was
+static autoPtr<mapPolyMesh> newMesh(const polyMesh& mesh)
+{
+    const labelList points(mesh.nPoints(), -1);
+    const labelList faces(mesh.nFaces(), -1);
+    const labelList cells(mesh.nCells(), -1);
+    const List<objectMap> none;
+    const labelListList perPatch(mesh.boundaryMesh().size());
+    const labelList patches(mesh.boundaryMesh().size(), Zero);
+    return autoPtr<mapPolyMesh>::New
+    (
+        mesh, 0, 0, 0, points, none, faces, none, none, none, cells, none,
+        none, none, none, labelList(), labelList(), labelList(),
+        labelHashSet(), perPatch, labelListList(), labelListList(),
+        labelListList(), labelListList(), pointField(), patches, patches,
+        autoPtr<scalarField>()
+    );
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::fsbi::functionRunner::functionRunner(Time& time, const scene& scene)
+:
+    time_(time),
+    scene_(scene),
+    generation_(scene.hasFluid() ? scene.fluid().meshing().generation() : 0)
+{
+    functionObjectList& list = time_.functionObjects();
+    if (!wanted())
+    {
+        list.off();
+        return;
+    }
+    check();
+    list.on();
+    if (!list.start())
+    {
+        FatalIOErrorInFunction(time_.controlDict())
+            << "A function object cannot be made, for the reason above. The"
+            << " regions are " << flatOutput(time_.sortedNames<fvMesh>())
+            << ": each function object needs an entry 'region'"
+            << exit(FatalIOError);
+    }
+    list.off();
+}
+
+
+void Foam::fsbi::functionRunner::check() const
+{
+    for (const entry& e : time_.controlDict().subDict("functions"))
+    {
+        if (!e.isDict() || !e.dict().getOrDefault("enabled", true))
+        {
+            continue;
+        }
+        const word type(e.dict().getOrDefault<word>("type", word::null));
+        if (type == "forces" || type == "forceCoeffs")
+        {
+            FatalIOErrorInFunction(e.dict())
+                << "Function object '" << e.keyword() << "' of type " << type
+                << " would be less exact than the solver's own balance: force"
+                << " and torque of the fluid on every body are in"
+                << " postProcessing/history.h5, tables"
+                << " bodies/<name>/force/fluid and torque/fluid"
+                << " (elasticBodies/<name>/fluidForce), and as text in"
+                << " postProcessing/bodies" << exit(FatalIOError);
+        }
+        if
+        (
+            type == "probes"
+         && !e.dict().getOrDefault("fixedLocations", true)
+        )
+        {
+            FatalIOErrorInFunction(e.dict())
+                << "Function object '" << e.keyword() << "': probes with"
+                << " 'fixedLocations no' move with cells, which do not survive"
+                << " a new mesh" << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::fsbi::functionRunner::readAgain(const fvMesh& mesh)
+{
+    functionObjectList& list = time_.functionObjects();
+    const dictionary& dicts = time_.controlDict().subDict("functions");
+    forAll(list, i)
+    {
+        const dictionary* dict = dicts.findDict(list[i].name());
+        if
+        (
+            dict && dict->getOrDefault<word>("region", "region0") == mesh.name()
+         && forgetful.found(dict->get<word>("type"))
+        )
+        {
+            inner(list[i]).read(*dict);
+        }
+    }
+}
+
+
+void Foam::fsbi::functionRunner::tellOfMotion(const fvMesh& mesh)
+{
+    if (mesh.pointsInstance() != time_.timeName())
+    {
+        return;
+    }
+    functionObjectList& list = time_.functionObjects();
+    forAll(list, i)
+    {
+        inner(list[i]).movePoints(mesh);
+    }
+    readAgain(mesh);
+}
+
+
+void Foam::fsbi::functionRunner::tellOfNewMesh(const fvMesh& mesh)
+{
+    const autoPtr<mapPolyMesh> map(newMesh(mesh));
+    functionObjectList& list = time_.functionObjects();
+    forAll(list, i)
+    {
+        inner(list[i]).updateMesh(map());
+    }
+    readAgain(mesh);
+}
+
+
+void Foam::fsbi::functionRunner::tellOfMeshes()
+{
+    for (const solidRegion& solid : scene_.solids())
+    {
+        tellOfMotion(solid.mesh());
+    }
+    if (!scene_.hasFluid())
+    {
+        return;
+    }
+    const label now = scene_.fluid().meshing().generation();
+    if (now != generation_)
+    {
+        generation_ = now;
+        tellOfNewMesh(scene_.fluid().mesh());
+    }
+    else
+    {
+        tellOfMotion(scene_.fluid().mesh());
+    }
+}
+
+
+void Foam::fsbi::functionRunner::execute(const bool saved)
+{
+    if (!wanted())
+    {
+        return;
+    }
+    functionObjectList& list = time_.functionObjects();
+    list.on();
+    tellOfMeshes();
+    list.execute();
+    if (saved && !time_.writeTime())
+    {
+        const unsigned precision = IOstream::defaultPrecision(16);
+        list.stateDict().regIOobject::write();
+        IOstream::defaultPrecision(precision);
+    }
+    const bool modified = list.filesModified();
+    list.off();
+    if (modified)
+    {
+        time_.readModifiedObjects();
+    }
+}
+
+
+void Foam::fsbi::functionRunner::end()
+{
+    if (wanted())
+    {
+        time_.functionObjects().on();
+        time_.functionObjects().end();
+        time_.functionObjects().off();
+    }
+}

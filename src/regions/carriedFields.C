@@ -1,0 +1,238 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "carriedFields.H"
+#include "surfaceFields.H"
+#include "pointFields.H"
+#include "leastSquaresGrad.H"
+#include "indexedOctree.H"
+#include "treeDataPoint.H"
+#include "ListListOps.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- The lists of all processors, one after the other
+template<class Type>
+static Field<Type> ofAll(const Field<Type>& mine)
+{
+    List<Field<Type>> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = mine;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+    return ListListOps::combine<Field<Type>>(all, accessOp<Field<Type>>());
+}
+
+//- Delete the fields of a kind that the mesh owns
+template<class FieldType>
+static void erase(const fvMesh& mesh)
+{
+    for (const word& name : mesh.thisDb().sortedNames<FieldType>())
+    {
+        auto& field = mesh.thisDb().lookupObjectRef<FieldType>(name);
+        if (field.ownedByRegistry())
+        {
+            field.checkOut();
+        }
+    }
+}
+
+template<class Type>
+static void eraseOthers(const fvMesh& mesh)
+{
+    erase<GeometricField<Type, fvsPatchField, surfaceMesh>>(mesh);
+    erase<GeometricField<Type, pointPatchField, pointMesh>>(mesh);
+    erase<DimensionedField<Type, volMesh>>(mesh);
+    erase<DimensionedField<Type, surfaceMesh>>(mesh);
+}
+
+//- For each of the positions the nearest of the candidates
+static labelList nearestOf(const pointField& candidates, const pointField& x)
+{
+    labelList nearest(x.size(), -1);
+    if (candidates.empty())
+    {
+        return nearest;
+    }
+    treeBoundBox box(candidates);
+    box.inflate(0.01);
+    const indexedOctree<treeDataPoint> tree
+    (
+        treeDataPoint{candidates}, box, 8, 10, 3
+    );
+    const scalar reach = magSqr(box.span()) + VSMALL;
+    forAll(x, i)
+    {
+        for (scalar r = reach; nearest[i] < 0; r *= 4)
+        {
+            nearest[i] = tree.findNearest(x[i], r).index();
+        }
+    }
+    return nearest;
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::List<Foam::pointField> Foam::fsbi::carriedFields::placesOf
+(
+    const fvMesh& mesh
+)
+{
+    List<pointField> places(1, mesh.cellCentres());
+    for (label i = 0; i < mesh.boundaryMesh().nNonProcessor(); ++i)
+    {
+        places.append(pointField(mesh.boundaryMesh()[i].faceCentres()));
+    }
+    return places;
+}
+
+
+template<class Type>
+void Foam::fsbi::carriedFields::take
+(
+    fvMesh& mesh, std::vector<carried<Type>>& fields
+)
+{
+    typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
+    for (const word& name : mesh.thisDb().sortedNames<fieldType>())
+    {
+        auto& field = mesh.thisDb().lookupObjectRef<fieldType>(name);
+        if (!field.ownedByRegistry())
+        {
+            continue;
+        }
+        List<vectorField> slopes(pTraits<Type>::nComponents);
+        forAll(slopes, d)
+        {
+            slopes[d] = fv::leastSquaresGrad<scalar>(mesh).calcGrad
+            (
+                field.component(d)(), "grad"
+            )().primitiveField();
+        }
+        carried<Type> now
+        {
+            name, field.instance(), field.dimensions(),
+            List<Field<Type>>(1, ofAll(field.primitiveField())),
+            List<List<vectorField>>(1, List<vectorField>(slopes.size()))
+        };
+        forAll(slopes, d)
+        {
+            now.gradients[0][d] = ofAll(slopes[d]);
+        }
+        for (label i = 0; i < mesh.boundaryMesh().nNonProcessor(); ++i)
+        {
+            const labelUList& cells = mesh.boundary()[i].faceCells();
+            List<vectorField> beside(slopes.size());
+            forAll(slopes, d)
+            {
+                beside[d] = ofAll(vectorField(slopes[d], cells));
+            }
+            now.values.append(ofAll(Field<Type>(field.boundaryField()[i])));
+            now.gradients.append(beside);
+        }
+        fields.push_back(now);
+        field.checkOut();
+    }
+}
+
+
+template<class Type>
+void Foam::fsbi::carriedFields::put
+(
+    const std::vector<carried<Type>>& fields,
+    const UList<pointField>& places,
+    const UList<labelList>& nearest,
+    fvMesh& mesh
+) const
+{
+    typedef GeometricField<Type, fvPatchField, volMesh> fieldType;
+    for (const carried<Type>& old : fields)
+    {
+        auto* field = new fieldType
+        (
+            IOobject(old.name, old.instance, mesh), mesh,
+            dimensioned<Type>(old.dimensions, Zero)
+        );
+        forAll(places, group)
+        {
+            Field<Type> values(old.values[group], nearest[group]);
+            const pointField way
+            (
+                places[group] - pointField(places_[group], nearest[group])
+            );
+            forAll(old.gradients[group], d)
+            {
+                const vectorField slope
+                (
+                    old.gradients[group][d], nearest[group]
+                );
+                values.replace(d, values.component(d) + (slope & way));
+            }
+            if (group == 0)
+            {
+                field->primitiveFieldRef() = values;
+            }
+            else
+            {
+                field->boundaryFieldRef()[group - 1] == values;
+            }
+        }
+        field->correctBoundaryConditions();
+        mesh.objectRegistry::store(field);
+        Info<< ' ' << old.name;
+    }
+}
+
+
+Foam::fsbi::carriedFields::carriedFields(fvMesh& mesh)
+{
+    take(mesh, scalars_);
+    take(mesh, vectors_);
+    take(mesh, sphericalTensors_);
+    take(mesh, symmTensors_);
+    take(mesh, tensors_);
+    if
+    (
+        scalars_.size() || vectors_.size() || sphericalTensors_.size()
+     || symmTensors_.size() || tensors_.size()
+    )
+    {
+        for (const pointField& mine : placesOf(mesh))
+        {
+            places_.append(ofAll(mine));
+        }
+    }
+    eraseOthers<scalar>(mesh);
+    eraseOthers<vector>(mesh);
+    eraseOthers<sphericalTensor>(mesh);
+    eraseOthers<symmTensor>(mesh);
+    eraseOthers<tensor>(mesh);
+}
+
+
+void Foam::fsbi::carriedFields::putOn(fvMesh& mesh) const
+{
+    if (places_.empty())
+    {
+        return;
+    }
+    const List<pointField> places(placesOf(mesh));
+    labelListList nearest(places.size());
+    forAll(places, group)
+    {
+        nearest[group] = nearestOf(places_[group], places[group]);
+    }
+    Info<< "Carried over to the new mesh:";
+    put(scalars_, places, nearest, mesh);
+    put(vectors_, places, nearest, mesh);
+    put(sphericalTensors_, places, nearest, mesh);
+    put(symmTensors_, places, nearest, mesh);
+    put(tensors_, places, nearest, mesh);
+    Info<< endl;
+}
