@@ -1,7 +1,13 @@
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Probability of an aggregate against the dose, with what so few runs can tell;
-and the bonds at the end of each."""
+"""Probability of an aggregate against the dose, with what so few runs can tell, and
+the bonds formed in each run; beside both what the number of receptors says.
+
+While cells pass that bonds do not hold, M receptors find a ligand (counted, mean of
+the runs `passing`). A drug leaves each of them free with probability 1 - d, so that
+about a Poisson number of mean M (1 - d) could bind, and the first bond, which is
+ideal, never lets go: P = 1 - exp(-M (1 - d)). Nothing is fitted. Aggregates are
+fewer: a cell that one late bond holds still swings when the run ends."""
 
 import glob
 import math
@@ -16,39 +22,60 @@ INTERVAL, SAMPLES = 30, 75      # us; of the mean
 STOPPED = 0.1                   # of the speed at the start
 
 
+def formed(history):
+    return history["effects/bonds/LFA1-ICAM1"]["formed"].sum()
+
+
 def outcome(folder):
     """Is there an aggregate at the end, and how many bonds formed?"""
     history = History(f"{folder}/postProcessing/history.h5")
     time, speed = adhesion.relative_speed(history, "tumourCell", "leukocyte", INTERVAL)
     mean = adhesion.moving_mean(speed, SAMPLES)
     start = adhesion.aggregate_time(time, mean, STOPPED * speed[0])
-    return not math.isnan(start), history["effects/bonds/LFA1-ICAM1"]["formed"].sum()
+    return not math.isnan(start), formed(history)
 
 
 found = {}
 for folder in sorted(glob.glob("runs/dose*_seed*")):
     dose, seed = re.fullmatch(r"runs/dose(\S+)_seed(\d+)", folder).groups()
     found.setdefault(float(dose), []).append(outcome(folder))
+passing = [formed(History(f"{folder}/postProcessing/history.h5"))
+           for folder in sorted(glob.glob("runs/passing_seed*"))]
+reached = np.mean(passing)
+print(f"    {reached:.1f} receptors find a ligand while the cells pass unheld "
+      f"({len(passing)} runs, {min(passing):.0f} to {max(passing):.0f})")
 
 doses = sorted(found)
 stuck = [sum(s for s, _ in found[d]) for d in doses]
+bound = [sum(n > 0 for _, n in found[d]) for d in doses]
 total = [len(found[d]) for d in doses]
-bands = np.array([adhesion.wilson(s, n) for s, n in zip(stuck, total)])
+free = 1 - np.array(doses)
+fine = np.geomspace(0.5*min(free), 1, 400)      # part that is free
 
 figure, (likely, many) = plots.plt.subplots(2, 1, figsize=(6.4, 6.4), sharex=True)
-likely.fill_between(doses, bands[:, 0], bands[:, 1], color=plots.COLOURS[0], alpha=0.2,
-                    lw=0, label="95 % confidence (Wilson)")
-likely.plot(doses, np.divide(stuck, total), color=plots.COLOURS[0], marker="o",
-            mfc="white", label=f"part of {max(total)} runs")
-likely.set(ylabel="probability of an aggregate", ylim=(-0.05, 1.05))
-likely.set_title("A drug blocks LFA-1 of the leukocyte", loc="left")
-likely.legend()
+likely.plot(fine, 1 - np.exp(-reached * fine), color=plots.COLOURS[2], lw=1,
+            label=f"one or more of {reached:.0f} receptors free")
+for side, count, what in ((0.97, bound, "a bond formed"), (1.03, stuck, "an aggregate at the end")):
+    part = np.divide(count, total)
+    bands = np.array([adhesion.wilson(c, n) for c, n in zip(count, total)])
+    likely.errorbar(side * free, part, np.abs(bands.T - part), capsize=3, ls="",
+                    color=plots.COLOURS[side > 1], marker="so"[side > 1], mfc="white",
+                    lw=1, label=f"{what}, of {max(total)} runs")
+likely.set(ylabel="probability (bars: 95 %, Wilson)", ylim=(-0.05, 1.05))
+likely.set_title("A drug blocks a part of the leukocyte's LFA-1", loc="left")
+likely.legend(loc="lower right")
 for d in doses:
-    many.plot([d] * len(found[d]), [n for _, n in found[d]], color=plots.COLOURS[1],
+    many.plot([1 - d] * len(found[d]), [n for _, n in found[d]], color=plots.COLOURS[0],
               marker="s", mfc="white", ls="")
-many.set(xlabel="part of LFA-1 that is blocked", ylabel="bonds formed",
-         ylim=(0, None))
+many.plot(fine, reached * fine, color=plots.COLOURS[2], lw=1,
+          label="if bonds did not hold the cells")
+many.set(xlabel="part of LFA-1 that is free", ylabel="bonds formed",
+         xscale="log", xlim=(0.7 * min(free), 1.2), yscale="symlog", ylim=(-0.2, 2 * max(passing)))
+many.set_yscale("symlog", linthresh=1)
+many.legend(loc="upper left")
 plots.save(figure, "doses.png")
-for d, s, n, (low, high) in zip(doses, stuck, total, bands):
-    print(f"    {100 * d:.0f} % blocked: {s} of {n} runs end in an aggregate, "
-          f"probability {low:.2f} to {high:.2f}")
+for d, s, b, n in zip(doses, stuck, bound, total):
+    low, high = adhesion.wilson(b, n)
+    print(f"    {100 * d:.0f} % blocked: a bond in {b} of {n} runs ({low:.2f} to {high:.2f}; "
+          f"by the number of receptors {1 - math.exp(-reached * (1 - d)):.2f}), "
+          f"an aggregate in {s}")
