@@ -7,6 +7,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "dictionaryText.H"
 #include "spelling.H"
 #include "HashSet.H"
+#include "IFstream.H"
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
 #include <fstream>
@@ -85,6 +86,10 @@ void Foam::fsbi::caseInput::checkFile
         )   << file.c_str() << ' ' << (text.line() ? "line " + name(text.line()) + ": "
             : string()).c_str() << text.fault().c_str() << exit(FatalIOError);
     }
+    for (const std::string& included : text.included())
+    {
+        checkFile(file.path()/fileName(included), word());
+    }
 }
 
 
@@ -105,6 +110,28 @@ Foam::wordList Foam::fsbi::caseInput::regionFolders() const
 }
 
 
+void Foam::fsbi::caseInput::checkSchemes(const fileName& file) const
+{
+    if (!isFile(path_/file, false))
+    {
+        return;
+    }
+    IFstream is(path_/file);
+    const dictionary dict(is);
+    for (const entry& e : dict)
+    {
+        // OpenFOAM would abort
+        if (e.keyword().ends_with("Schemes") && !e.isDict())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry '" << e.keyword() << "' on line "
+                << e.startLineNumber() << " must be a dictionary"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::fsbi::caseInput::checkRegion(const word& region) const
 {
     checkFile("constant"/region/"material");
@@ -112,6 +139,7 @@ void Foam::fsbi::caseInput::checkRegion(const word& region) const
     {
         checkFile("system"/region/file);
     }
+    checkSchemes("system"/region/"fvSchemes");
     for (const word file : {"U", "D"})
     {
         checkFile("0"/region/file, "volVectorField");

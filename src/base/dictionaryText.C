@@ -43,6 +43,7 @@ Foam::fsbi::dictionaryText::dictionaryText
 :
     text_(text)
 {
+    includes_ = className.empty();
     checkEncoding();
     if (fault_.empty())
     {
@@ -50,7 +51,10 @@ Foam::fsbi::dictionaryText::dictionaryText
         scan();
     }
     // without a header the rest means nothing
-    checkHeader(className);
+    if (className.size())
+    {
+        checkHeader(className);
+    }
 }
 
 
@@ -384,8 +388,14 @@ void Foam::fsbi::dictionaryText::directive(const std::string& token)
 {
     includes_ = includes_ || token.compare(0, 8, "#include") == 0;
     mayRepeat_ = mayRepeat_ || token.compare(0, 8, "#include") != 0;
-    const position end = text_.find('\n', at_);
-    at_ = end == std::string::npos ? text_.size() : end;
+    const position end = std::min(text_.find('\n', at_), text_.size());
+    const position from = std::min(text_.find('"', at_), end);
+    const position to = text_.find('"', from + 1);
+    if (token == "#include" && from < end && to < end)
+    {
+        included_.push_back(text_.substr(from + 1, to - from - 1));
+    }
+    at_ = end;
 }
 
 
@@ -426,7 +436,9 @@ void Foam::fsbi::dictionaryText::checkNumber(const std::string& token)
     }
     char* end = nullptr;
     const double value = std::strtod(token.c_str(), &end);
-    if (end != token.c_str() && !*end && !(std::abs(value) <= largestNumber))
+    // quiet, as other comparisons with nan are trapped
+    const bool usable = std::islessequal(std::abs(value), largestNumber);
+    if (end != token.c_str() && !*end && !usable)
     {
         auto s = scopes_.rbegin();
         while (s + 1 != scopes_.rend() && s->keyword.empty())

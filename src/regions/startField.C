@@ -64,6 +64,13 @@ void Foam::fsbi::checkPatches(const dictionary& field, const polyMesh& mesh)
     const dictionary& conditions = field.subDict("boundaryField");
     for (const entry& e : conditions)
     {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(conditions)
+                << "Entry '" << e.keyword() << "' on line "
+                << e.startLineNumber() << " must be a dictionary, with the type"
+                << " of condition" << exit(FatalIOError);
+        }
         if
         (
             !e.keyword().isPattern() && !names.found(e.keyword())
