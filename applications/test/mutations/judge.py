@@ -60,7 +60,7 @@ FAILS = re.compile(r"Steps down to .* fail|No acceptable mesh|first step fails")
 BROKEN = re.compile(r"printStack|Segmentation|PETSC ERROR|HDF5-DIAG|terminate called"
                     r"|malloc\(|free\(\)|std::bad_alloc", re.M)
 FATAL = re.compile(r"-> FOAM FATAL")
-NOISE = re.compile(r"^(Date|Time|Host|PID|Case|Exec) +:|^t [-+0-9.]|ExecutionTime| s( |$|,)|MB")
+NOISE = re.compile(r"^(Date|Time|Host|PID|Case|Exec) +:|^Time = |ExecutionTime| s( |$|,)|MB")
 
 
 def named(word, text):

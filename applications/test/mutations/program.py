@@ -23,7 +23,7 @@ BLOCKED = 60            # s of waiting without a word; a hang, too
 LONGEST = 40            # s of computing with words: seen enough
 MEMORY = 4e6            # kB
 TICKS = os.sysconf("SC_CLK_TCK")
-STEP = re.compile(rb"^t [-+0-9.e]+ +dt ", re.M)
+STEP = re.compile(rb"^Time = [-+0-9.e]+ +dt ", re.M)
 
 
 @dataclass
