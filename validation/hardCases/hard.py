@@ -434,10 +434,12 @@ def stiffBonds():
     scene = Scene(Flow("shear", RATE), step=100.0, steps=8)
     scene.add(soft(0.1, nu=0.45, position=(0, -4.2, 0)))
     scene.add(bead(position=(0, 3.2, 0), force=(0, -0.005, 0)))
+    # a stiff bond forms where the gap is its length to nanometres: a narrow ring,
+    # in which some of a hundred receptors a um2 stand
     scene.effects["bonds"] = dict(
         temperature=310, seed=3, maxStretch=1000,
-        molecules={"bead": {"A": dict(density=1)}, "cell": {"B": dict(density=10)}},
-        pairs={"AB": dict(kinds="(A B)", law="Dembo", sts=2, k0on=1e-3, k0off=1e-5, s=2,
+        molecules={"bead": {"A": dict(density=100)}, "cell": {"B": dict(density=10)}},
+        pairs={"AB": dict(kinds="(A B)", law="Dembo", sts=2, k0on=1e-2, k0off=1e-5, s=2,
                           **{"lambda": 0.05}, roughness=0.4)})
 
     def more(history):

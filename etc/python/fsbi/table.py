@@ -39,7 +39,8 @@ def one_sided(row):
 def closeness(row):
     bound = float(row["bound"])
     if one_sided(row):
-        return float(row["reference"]) / float(row["value"])
+        value = float(row["value"])
+        return float(row["reference"]) / value if value else math.inf
     error = float(row["error"])
     return error / bound if bound else (0 if error == 0 else math.inf)
 
