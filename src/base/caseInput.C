@@ -135,6 +135,7 @@ void Foam::fsbi::caseInput::checkSchemes(const fileName& file) const
 void Foam::fsbi::caseInput::checkRegion(const word& region) const
 {
     checkFile("constant"/region/"material");
+    checkFile("constant"/region/"exactSolution");
     for (const word file : {"fvSchemes", "fvSolution", "remeshDict"})
     {
         checkFile("system"/region/file);
