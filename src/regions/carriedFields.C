@@ -6,7 +6,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "carriedFields.H"
 #include "surfaceFields.H"
 #include "pointFields.H"
-#include "leastSquaresGrad.H"
 #include "indexedOctree.H"
 #include "treeDataPoint.H"
 #include "ListListOps.H"
@@ -48,6 +47,48 @@ static void eraseOthers(const fvMesh& mesh)
     erase<GeometricField<Type, pointPatchField, pointMesh>>(mesh);
     erase<DimensionedField<Type, volMesh>>(mesh);
     erase<DimensionedField<Type, surfaceMesh>>(mesh);
+}
+
+//- Gradients in the cells, of least squares over the neighbours and the middles
+//  of boundary faces: OpenFOAM's own takes these along the normal, which is not
+//  exact for what is linear
+static vectorField gradientOf(const volScalarField& field)
+{
+    const fvMesh& mesh = field.mesh();
+    tensorField moments(mesh.nCells(), Zero);
+    vectorField sums(mesh.nCells(), Zero);
+    const auto add = [&](const label celli, const vector& d, const scalar by)
+    {
+        const vector weighted(d/magSqr(d));
+        moments[celli] += weighted*d;
+        sums[celli] += weighted*by;
+    };
+    forAll(mesh.neighbour(), f)
+    {
+        const label o = mesh.owner()[f], n = mesh.neighbour()[f];
+        const vector d(mesh.C()[n] - mesh.C()[o]);
+        add(o, d, field[n] - field[o]);
+        add(n, -d, field[o] - field[n]);
+    }
+    for (const fvPatchScalarField& pf : field.boundaryField())
+    {
+        const labelUList& cells = pf.patch().faceCells();
+        const scalarField there
+        (
+            pf.coupled() ? pf.patchNeighbourField()() : scalarField(pf)
+        );
+        const vectorField way
+        (
+            pf.coupled()
+          ? pf.patch().delta()
+          : tmp<vectorField>(pf.patch().Cf() - pf.patch().Cn())
+        );
+        forAll(cells, i)
+        {
+            add(cells[i], way[i], there[i] - field[cells[i]]);
+        }
+    }
+    return inv(moments) & sums;
 }
 
 //- For each of the positions the nearest of the candidates
@@ -110,10 +151,7 @@ void Foam::fsbi::carriedFields::take
         List<vectorField> slopes(pTraits<Type>::nComponents);
         forAll(slopes, d)
         {
-            slopes[d] = fv::leastSquaresGrad<scalar>(mesh).calcGrad
-            (
-                field.component(d)(), "grad"
-            )().primitiveField();
+            slopes[d] = gradientOf(field.component(d)());
         }
         carried<Type> now
         {

@@ -29,7 +29,7 @@ def fail(text):
 
 
 def near(what, values, reference, scale):
-    error = np.max(np.abs(values - reference)) / scale
+    error = np.max(np.abs(values - reference)) / (scale or 1)     # 0: at rest
     print(f"{what}: {error:.1e} of {scale:.3g}")
     if not error <= SINGLE:
         fail(f"{what}: off by {error:.1e} of {scale:.3g}")
