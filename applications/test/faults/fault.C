@@ -17,7 +17,7 @@ Usage
         libs        ("libfault.so");
         body        tumourCell;
         push        (0 1 0);
-        times       nan;        // of the push; also infinite, huge, none
+        times       noNumber;       // of the push; also infinite, huge, none
         attempt     3;
         attempts    1;
     }
@@ -62,7 +62,7 @@ public:
         const word times(dict.get<word>("times"));
         const untrapped scope;
         push_ *=
-            times == "nan" ? std::nan("")
+            times == "noNumber" ? std::nan("")
           : times == "infinite" ? std::numeric_limits<scalar>::infinity()
           : times == "huge" ? 1e299
           : 1;
