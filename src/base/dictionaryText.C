@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "dictionaryText.H"
+#include "untrapped.H"
 
 #include <algorithm>
 #include <cctype>
@@ -43,6 +44,7 @@ Foam::fsbi::dictionaryText::dictionaryText
 :
     text_(text)
 {
+    const untrapped scope;      // of nan and 1e400
     includes_ = className.empty();
     checkEncoding();
     if (fault_.empty())
@@ -436,9 +438,8 @@ void Foam::fsbi::dictionaryText::checkNumber(const std::string& token)
     }
     char* end = nullptr;
     const double value = std::strtod(token.c_str(), &end);
-    // quiet, as other comparisons with nan are trapped
-    const bool usable = std::islessequal(std::abs(value), largestNumber);
-    if (end != token.c_str() && !*end && !usable)
+    if (end != token.c_str() && !*end
+     && !(std::isfinite(value) && std::abs(value) <= largestNumber))
     {
         auto s = scopes_.rbegin();
         while (s + 1 != scopes_.rend() && s->keyword.empty())
