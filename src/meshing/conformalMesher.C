@@ -29,7 +29,7 @@ static const char* const places =
 
 //- Shortest mean edge of a body, in units of the last of these digits: bodies
 //  that round-off would deform
-static const scalar finestEdge = 20;
+static const scalar finestEdge = 4;
 
 static vector rounded(const vector& x, const scalar unit)
 {
