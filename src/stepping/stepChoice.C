@@ -16,6 +16,10 @@ const Foam::scalar maxGrowth = 1.5;
 //- Part of a step by which times may differ and still be the same
 const Foam::scalar sameTime = 1e-6;
 
+//- Part of a step that the last one is longer, rather than that another follows:
+//  times are written with six digits
+const Foam::scalar shortestRest = 1e-4;
+
 } // End anonymous namespace
 
 
@@ -113,7 +117,7 @@ Foam::scalar Foam::fsbi::stepControl::fitted
     {
         const scalar interval = entry("writeInterval", GREAT);
         const scalar nextOutput = (outputs_ + 1)*interval;
-        // not onto a remainder before the end time
+        // not onto a shortestRest before the end time
         if (nextOutput < target - sameTime*dt)
         {
             target = nextOutput;
@@ -156,7 +160,7 @@ void Foam::fsbi::stepControl::choose(const scene& scene)
     }
     const scalar left = time_.endTime().value() - time_.value();
     const bool last =
-        left > sameTime*deltaT && left < (1 + sameTime)*chosen_;
+        left > sameTime*deltaT && left < (1 + shortestRest)*chosen_;
     limit_ = last && left < (1 - sameTime)*chosen_ ? "endTime" : limit_;
     time_.setDeltaT(last ? left : chosen_, false);
 }

@@ -47,8 +47,10 @@ class GivenBeam:
             "[1-9]*", "postProcessing", "log.*", "polyMesh"))
         shutil.copytree(f"{folder}/0.orig", f"{folder}/0", dirs_exist_ok=True)
         control = f"{folder}/system/controlDict"
-        with open(control, "a") as file:
-            file.write("\nwriteFormat ascii;\nwritePrecision 12;\n")
+        with open(control) as file:
+            text = re.sub(r"^writeFormat.*", "writeFormat ascii;", file.read(), flags=re.M)
+        with open(control, "w") as file:
+            file.write(text + "\nwritePrecision 12;\n")
         with open(f"{folder}/log.blockMesh", "w") as log:
             subprocess.run(["blockMesh"], cwd=folder, stdout=log, stderr=log, check=True)
         self.move_points(f"{folder}/constant/polyMesh/points")
