@@ -52,6 +52,7 @@ def doctored():
     with open(f"{FOLDER}/base/constant/bodies", "w") as file:
         file.write("same\n")
     subprocess.run(["gcc", "-O1", "-o", f"{FOLDER}/doctored", f"{HERE}/doctored.c"], check=True)
+    program.build()
     program.SILENCE, program.BLOCKED, program.MEMORY = 1, 2, 2e5
     judge.Judge.programs = {"fsbiFoam": program.Program(f"{FOLDER}/doctored")}
     return judge.Judge(f"{FOLDER}/base", f"{FOLDER}/case")
