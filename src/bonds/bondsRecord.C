@@ -6,6 +6,20 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "bonds.H"
 #include "OStringStream.H"
 
+Foam::Pair<Foam::point> Foam::fsbi::bonds::ends
+(
+    const surfacesNow& surfaces, const bondMap::value_type& bond
+) const
+{
+    const adhesion::siteSet& s = adhesion_->sets()[bond.first.first];
+    return
+    {
+        surfaces.position(s.body, s.sites[bond.first.second]),
+        end(surfaces, bond.second)
+    };
+}
+
+
 void Foam::fsbi::bonds::declare(recording& history) const
 {
     for (const bondPair& pair : adhesion_->pairs())
@@ -51,11 +65,10 @@ void Foam::fsbi::bonds::record(recording& history) const
     {
         const bond& b = entry.second;
         const bondPair& pair = adhesion_->pairs()[b.pair];
-        const adhesion::siteSet& s = adhesion_->sets()[entry.first.first];
-        const point x(now.position(s.body, s.sites[entry.first.second]));
-        const point y(end(now, b));
-        const scalar f = pair.law->force(pair.length(x, y));
-        const vector force(f*(y - x)/max(mag(y - x), VSMALL));
+        const Pair<point> at(ends(now, entry));
+        const vector along(at.second() - at.first());
+        const scalar f = pair.law->force(pair.length(at.first(), at.second()));
+        const vector force(f*along/max(mag(along), VSMALL));
         scalarList& sum = sums[b.pair];
         sum[0] += 1;
         sum[3] += f;
@@ -85,16 +98,15 @@ void Foam::fsbi::bonds::draw
     {
         const bond& b = entry.second;
         const bondPair& pair = adhesion_->pairs()[b.pair];
-        const adhesion::siteSet& s = adhesion_->sets()[entry.first.first];
-        const point x(now.position(s.body, s.sites[entry.first.second]));
-        const point y(end(now, b));
-        for (const point& p : {x, y})
+        const Pair<point> at(ends(now, entry));
+        for (const point& p : at)
         {
             points << p.x() << ' ' << p.y() << ' ' << p.z() << nl;
         }
         lines << "2 " << 2*i << ' ' << 2*i + 1 << nl;
         pairs << b.pair << nl;
-        tensions << pair.law->force(pair.length(x, y)) << nl;
+        tensions << pair.law->force(pair.length(at.first(), at.second()))
+            << nl;
         ++i;
     }
     OStringStream os;

@@ -307,13 +307,7 @@ void Foam::fsbi::recorder::appendSeries
 void Foam::fsbi::recorder::finishRow(OFstream& os) const
 {
     os << endl;
-    if (!os.good())
-    {
-        FatalErrorInFunction
-            << os.name() << " cannot be written. Is the disk full?"
-            << " Saved states are untouched; make room and continue with"
-            << " 'startFrom latestTime'" << exit(FatalError);
-    }
+    stepSeries::check(os);
 }
 
 
