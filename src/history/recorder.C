@@ -381,7 +381,10 @@ void Foam::fsbi::recorder::appendHistory(const solidRegion& body)
 }
 
 
-void Foam::fsbi::recorder::append(const Foam::string& limit)
+void Foam::fsbi::recorder::append
+(
+    const Foam::string& limit, const scalar gap
+)
 {
     auto timer = scene_.clocks().measure("output");
     forAll(scene_.bodies(), b)
@@ -437,11 +440,11 @@ void Foam::fsbi::recorder::append(const Foam::string& limit)
         })
     );
     history_.flush();
-    steps_.append("accepted", limit);
+    steps_.accept(gap, limit);
 }
 
 
 void Foam::fsbi::recorder::reject()
 {
-    steps_.append("rejected", scene_.failure());
+    steps_.reject(scene_.failure());
 }

@@ -56,16 +56,11 @@ void Foam::fsbi::stepSeries::check(const OFstream& os)
 }
 
 
-void Foam::fsbi::stepSeries::append
+void Foam::fsbi::stepSeries::writeStep
 (
-    const word& outcome, const Foam::string& reason
+    const word& outcome, const scalar gap, const Foam::string& reason
 )
 {
-    const scalar gap = scene_.smallestGap();
-    if (!Pstream::master())
-    {
-        return;
-    }
     const solverReport& report = scene_.report();
     *steps_ << time_.value() << ' ' << time_.deltaTValue() << ' '
         << outcome.c_str() << ' ' << report.iterations << ' '
@@ -80,10 +75,19 @@ void Foam::fsbi::stepSeries::append
     }
     *steps_ << ' ' << reason.c_str() << endl;
     check(steps_());
-    if (outcome != "accepted")
+}
+
+
+void Foam::fsbi::stepSeries::accept
+(
+    const scalar gap, const Foam::string& limit
+)
+{
+    if (!Pstream::master())
     {
         return;
     }
+    writeStep("accepted", gap, limit);
     *seconds_ << time_.value();
     for (const word& part : parts_)
     {
@@ -91,4 +95,13 @@ void Foam::fsbi::stepSeries::append
     }
     *seconds_ << ' ' << scene_.clocks().total() << endl;
     check(seconds_());
+}
+
+
+void Foam::fsbi::stepSeries::reject(const Foam::string& reason)
+{
+    if (Pstream::master())
+    {
+        writeStep("rejected", GREAT, reason);
+    }
 }

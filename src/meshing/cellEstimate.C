@@ -65,7 +65,7 @@ Foam::string Foam::fsbi::tooManyCells
         return "";
     }
     OStringStream os;
-    os  << "it would have more than maxCells " << label(controls.maxCells)
+    os  << "it would have more than maxCells " << controls.maxCells
         << " cells (" << controls.name.c_str() << "). Longer edges: 'size' in"
         << " constant/bodies, farSize, minSize, fewer cellsPerGap; if you have"
         << " the memory, raise maxCells";

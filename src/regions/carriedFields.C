@@ -135,6 +135,41 @@ Foam::List<Foam::pointField> Foam::fsbi::carriedFields::placesOf
 
 
 template<class Type>
+Foam::fsbi::carriedFields::carried<Type> Foam::fsbi::carriedFields::valuesOf
+(
+    const GeometricField<Type, fvPatchField, volMesh>& field
+)
+{
+    const fvMesh& mesh = field.mesh();
+    List<vectorField> slopes(pTraits<Type>::nComponents);
+    List<vectorField> ofCells(slopes.size());
+    forAll(slopes, d)
+    {
+        slopes[d] = gradientOf(field.component(d)());
+        ofCells[d] = ofAll(slopes[d]);
+    }
+    carried<Type> all
+    {
+        field.name(), field.instance(), field.dimensions(),
+        List<Field<Type>>(1, ofAll(field.primitiveField())),
+        List<List<vectorField>>(1, ofCells)
+    };
+    for (label i = 0; i < mesh.boundaryMesh().nNonProcessor(); ++i)
+    {
+        List<vectorField> beside(slopes.size());
+        forAll(slopes, d)
+        {
+            beside[d] =
+                ofAll(vectorField(slopes[d], mesh.boundary()[i].faceCells()));
+        }
+        all.values.append(ofAll(Field<Type>(field.boundaryField()[i])));
+        all.gradients.append(beside);
+    }
+    return all;
+}
+
+
+template<class Type>
 void Foam::fsbi::carriedFields::take
 (
     fvMesh& mesh, std::vector<carried<Type>>& fields
@@ -144,38 +179,11 @@ void Foam::fsbi::carriedFields::take
     for (const word& name : mesh.thisDb().sortedNames<fieldType>())
     {
         auto& field = mesh.thisDb().lookupObjectRef<fieldType>(name);
-        if (!field.ownedByRegistry())
+        if (field.ownedByRegistry())
         {
-            continue;
+            fields.push_back(valuesOf(field));
+            field.checkOut();
         }
-        List<vectorField> slopes(pTraits<Type>::nComponents);
-        forAll(slopes, d)
-        {
-            slopes[d] = gradientOf(field.component(d)());
-        }
-        carried<Type> now
-        {
-            name, field.instance(), field.dimensions(),
-            List<Field<Type>>(1, ofAll(field.primitiveField())),
-            List<List<vectorField>>(1, List<vectorField>(slopes.size()))
-        };
-        forAll(slopes, d)
-        {
-            now.gradients[0][d] = ofAll(slopes[d]);
-        }
-        for (label i = 0; i < mesh.boundaryMesh().nNonProcessor(); ++i)
-        {
-            const labelUList& cells = mesh.boundary()[i].faceCells();
-            List<vectorField> beside(slopes.size());
-            forAll(slopes, d)
-            {
-                beside[d] = ofAll(vectorField(slopes[d], cells));
-            }
-            now.values.append(ofAll(Field<Type>(field.boundaryField()[i])));
-            now.gradients.append(beside);
-        }
-        fields.push_back(now);
-        field.checkOut();
     }
 }
 

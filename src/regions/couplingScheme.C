@@ -3,10 +3,9 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "monolithic.H"
+#include "couplingScheme.H"
 #include "elasticCoupling.H"
 #include "loadCoupling.H"
-#include "solidSolver.H"
 
 namespace Foam
 {
@@ -73,17 +72,6 @@ Foam::autoPtr<Foam::fsbi::couplingScheme> Foam::fsbi::couplingScheme::New
             "scheme", entriesConstructorTablePtr_->sortedToc(), "monolithic"
         )
     );
-    for (const solidRegion& solid : solids)
-    {
-        if (scheme == monolithic::typeName)
-        {
-            solidSolver::tellUnused
-            (
-                solid.mesh().solutionDict().subOrEmptyDict("solid"),
-                solid.name()
-            );
-        }
-    }
     return entriesConstructorTablePtr_->cfind(scheme)()
     (
         fluid, solids, effects, dict

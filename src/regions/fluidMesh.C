@@ -8,9 +8,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "untrapped.H"
 #include "Time.H"
 #include "pointIOField.H"
-#include "wallPolyPatch.H"
-#include "processorPolyPatch.H"
-#include "ListOps.H"
 
 namespace Foam
 {
@@ -21,7 +18,7 @@ namespace fsbi
 //  where a gap allows none that is good
 static const scalar wear = 3;
 
-//- Fatal if the domain has no volume or a patch of unknown type
+//- Fatal if the domain has no volume
 static void checkDomain(const polyMesh& domain)
 {
     if (!(cmptMin(domain.bounds().span()) > 0 && min(domain.cellVolumes()) > 0))
@@ -29,25 +26,6 @@ static void checkDomain(const polyMesh& domain)
         FatalErrorInFunction
             << "The domain has cells without volume: see the vertices and"
             << " blocks of system/blockMeshDict" << exit(FatalError);
-    }
-    for (const polyPatch& patch : domain.boundaryMesh())
-    {
-        // what OpenFOAM makes of a type that it does not know
-        if (patch.type() == "genericPatch")
-        {
-            FatalErrorInFunction
-                << "Patch '" << patch.name() << "' of the domain has an unknown"
-                << " type; choose patch or wall in system/blockMeshDict"
-                << exit(FatalError);
-        }
-        // what blockMesh makes of faces that it finds in no patch
-        if (patch.type() == "empty" && patch.size())
-        {
-            FatalErrorInFunction
-                << "Patch '" << patch.name() << "' of the domain is 'empty': "
-                << patch.size() << " faces are in no patch of the boundary in"
-                << " system/blockMeshDict" << exit(FatalError);
-        }
     }
 }
 
@@ -115,7 +93,10 @@ void Foam::fsbi::fluidMesh::readFollow()
     {
         return;
     }
-    const checkedDictionary follow(remeshDict_.subDict("follow"));
+    const checkedDictionary follow
+    (
+        checkedDictionary(remeshDict_).subDict("follow")
+    );
     followed_ = namesOf(bodies_).find(follow.choice("body", namesOf(bodies_)));
     direction_ = follow.direction("direction", vector(1, 0, 0));
     follow.finish();
@@ -243,129 +224,6 @@ void Foam::fsbi::fluidMesh::measureReference()
         rigidBlendMotion::domainBoundary(mesh(), namesOf(bodies_))
     );
     walls_.reset(new surfaceDistance(walls.points(), walls.triangles()));
-}
-
-
-Foam::scalar Foam::fsbi::fluidMesh::resolvedGap() const
-{
-    const remeshControls controls(remeshDict_);
-    scalar edge = GREAT;
-    forAll(bodies_, b)
-    {
-        edge = min(edge, bodies_[b].meshedSurface().meanEdge());
-    }
-    return
-        controls.cellsPerGap
-       *(
-            controls.minSize > 0
-          ? controls.minSize
-          : remeshControls::finestPart*edge
-        );
-}
-
-
-Foam::string Foam::fsbi::fluidMesh::narrowGap() const
-{
-    const scalar gap = smallestGap();
-    if (gap >= resolvedGap())
-    {
-        return string();
-    }
-    const string leaving(bodyThatLeaves(gap));
-    if (leaving.size())
-    {
-        return leaving;
-    }
-    return
-        " (bodies and walls are as near as " + name(gap)
-      + ": that needs a smaller 'size' of the shapes in constant/bodies, or an"
-        " effect 'repulsion' that keeps them apart)";
-}
-
-
-Foam::string Foam::fsbi::fluidMesh::bodyThatLeaves(const scalar gap) const
-{
-    if (!mesh_)
-    {
-        return string();
-    }
-    const wordList patches(mesh().boundaryMesh().names());
-    for (const polyPatch& patch : mesh().boundaryMesh())
-    {
-        if
-        (
-            isA<processorPolyPatch>(patch) || isA<wallPolyPatch>(patch)
-         || isBody(patch.name())
-        )
-        {
-            continue;
-        }
-        wordList others(patches);
-        inplaceSubsetList
-        (
-            others, [&](const word& name) { return name != patch.name(); }
-        );
-        const bodySurface open(rigidBlendMotion::domainBoundary(mesh(), others));
-        const surfaceDistance surface(open.points(), open.triangles());
-        for (const immersedBody& body : bodies_)
-        {
-            for (const point& p : body.meshedSurface().points())
-            {
-                scalar distance;
-                label triangle;
-                if (surface.find(p, 1.01*gap + SMALL, distance, triangle))
-                {
-                    return
-                        " (body '" + body.name() + "' has come to the patch '"
-                      + patch.name() + "', which is no wall, and cannot leave"
-                        " the domain: end the run before, make the domain longer"
-                        " in system/blockMeshDict, or let it follow the body with"
-                        " `follow` in system/remeshDict)";
-                }
-            }
-        }
-    }
-    return string();
-}
-
-
-Foam::scalar Foam::fsbi::fluidMesh::smallestGap() const
-{
-    const vector moved(shift() - referenceShift_);
-    scalar gap = GREAT;
-    const auto approach =
-        [&](const surfaceDistance& surface, const pointField& x, const vector& by)
-        {
-            label triangle;
-            for (const point& p : x)
-            {
-                scalar distance;
-                if (surface.find(p - by, gap, distance, triangle))
-                {
-                    gap = min(gap, distance);
-                }
-            }
-        };
-    forAll(bodies_, b)
-    {
-        const bodySurface surface(bodies_[b].meshedSurface());
-        if (walls_)         // known with the first mesh
-        {
-            approach(walls_(), surface.points(), moved);
-        }
-        if (bodies_.size() > 1)
-        {
-            const surfaceDistance tree(surface.points(), surface.triangles());
-            for (label other = 0; other < b; ++other)
-            {
-                approach
-                (
-                    tree, bodies_[other].meshedSurface().points(), Zero
-                );
-            }
-        }
-    }
-    return gap;
 }
 
 

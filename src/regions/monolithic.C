@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "monolithic.H"
+#include "solidSolver.H"
 #include "addToRunTimeSelectionTable.H"
 
 #include <cmath>
@@ -21,6 +22,26 @@ static const label maxCorrections = 15;
 
 } // End namespace fsbi
 } // End namespace Foam
+
+
+Foam::fsbi::monolithic::monolithic
+(
+    fluidRegion& fluid,
+    PtrList<solidRegion>& solids,
+    effectList* effects,
+    const dictionary& dict
+)
+:
+    couplingScheme(fluid, solids, effects, dict)
+{
+    for (const solidRegion& solid : solids)
+    {
+        solidSolver::tellUnused
+        (
+            solid.mesh().solutionDict().subOrEmptyDict("solid"), solid.name()
+        );
+    }
+}
 
 
 bool Foam::fsbi::monolithic::failed()

@@ -306,6 +306,28 @@ Foam::fsbi::wholeMesh::wholeMesh(const Time& time, const word& region)
         )
     );
     Pstream::parRun() = parallel;
+    checkPatches();
+}
+
+
+void Foam::fsbi::wholeMesh::checkPatches() const
+{
+    for (const polyPatch& patch : mesh_->boundaryMesh())
+    {
+        // what OpenFOAM makes of a type that it does not know
+        const bool unknown = patch.type() == "genericPatch";
+        // what blockMesh makes of faces that it finds in no patch
+        const bool left = patch.type() == "empty" && patch.size();
+        if (unknown || left)
+        {
+            FatalErrorInFunction
+                << "Patch '" << patch.name() << "' of the mesh in constant/"
+                << mesh_->meshDir() << " has "
+                << (unknown ? "an unknown type" : "the type 'empty'")
+                << ": in system/blockMeshDict every face must be in a patch,"
+                << " of the type patch or wall" << exit(FatalError);
+        }
+    }
 }
 
 

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "startField.H"
+#include "checkedDictionary.H"
 #include "Time.H"
 #include "IFstream.H"
 #include "IStringStream.H"
@@ -61,7 +62,8 @@ void Foam::fsbi::checkPatches(const dictionary& field, const polyMesh& mesh)
 {
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
     const wordList names(patches.names());
-    const dictionary& conditions = field.subDict("boundaryField");
+    const dictionary& conditions =
+        checkedDictionary(field).subDict("boundaryField");
     for (const entry& e : conditions)
     {
         if (!e.isDict())

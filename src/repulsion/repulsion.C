@@ -89,8 +89,8 @@ void Foam::fsbi::repulsion::readPairs(const dictionary& dict)
             if (numbers.last() < 0)
             {
                 FatalIOErrorInFunction(dict)
-                    << "There is no body or plane wall '" << name
-                    << "' for 'between'"
+                    << "There is no body (constant/bodies) or plane wall '"
+                    << name << "' for 'between'"
                     << around_.unseenReason(name).c_str() << "; valid are "
                     << flatOutput(valid) << exit(FatalIOError);
             }

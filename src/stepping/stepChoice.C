@@ -117,7 +117,7 @@ Foam::scalar Foam::fsbi::stepControl::fitted
     {
         const scalar interval = entry("writeInterval", GREAT);
         const scalar nextOutput = (outputs_ + 1)*interval;
-        // not onto a shortestRest before the end time
+        // not onto a remainder before the end time
         if (nextOutput < target - sameTime*dt)
         {
             target = nextOutput;

@@ -66,6 +66,7 @@ Foam::fsbi::stepControl::stepControl(Time& time)
 :
     time_(time),
     chosen_(time.deltaTValue()),
+    gap_(GREAT),
     gridTime_(-GREAT),
     outputs_(outputsUntil(time.value())),
     before_(time),
@@ -205,11 +206,11 @@ void Foam::fsbi::stepControl::accept(const scene& scene)
         (time_.value() - firstTime_)/max(end - firstTime_, VSMALL);
     const scalar left =
         (clock_.elapsedTime() - began_)*(1 - done)/max(done, VSMALL);
-    const scalar gap = scene.smallestGap();
+    gap_ = scene.smallestGap();
     char gapText[40] = "";
-    if (gap < 0.1*GREAT)
+    if (gap_ < 0.1*GREAT)
     {
-        snprintf(gapText, sizeof(gapText), "  gap %-8.4g", gap);
+        snprintf(gapText, sizeof(gapText), "  gap %-8.4g", gap_);
     }
     char corrections[40] = "";
     if (scene.solids().size())
@@ -231,7 +232,7 @@ void Foam::fsbi::stepControl::accept(const scene& scene)
         100*done, readable(left).c_str(), limit_.c_str()
     );
     Info<< line << scene.warning().c_str() << endl;
-    tellOfGap(scene, gap);
+    tellOfGap(scene);
     tellOfTurn(scene);
 }
 
@@ -303,13 +304,13 @@ void Foam::fsbi::stepControl::tellOfTurn(const scene& scene)
 }
 
 
-void Foam::fsbi::stepControl::tellOfGap(const scene& scene, const scalar gap)
+void Foam::fsbi::stepControl::tellOfGap(const scene& scene)
 {
-    if (gapTold_ || gap > 0.1*GREAT || gap >= scene.resolvedGap())
+    if (gapTold_ || gap_ > 0.1*GREAT || gap_ >= scene.resolvedGap())
     {
         return;
     }
-    Info<< "A gap of " << gap << " is narrower than the " << scene.resolvedGap()
+    Info<< "A gap of " << gap_ << " is narrower than the " << scene.resolvedGap()
         << " that have cellsPerGap cells of minSize across: the flow in it is"
         << " not resolved (system/remeshDict; shape size in constant/bodies)"
         << endl;

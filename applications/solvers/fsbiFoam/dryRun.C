@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "dryRun.H"
+#include "functionRunner.H"
 #include "OSspecific.H"
 
 namespace
@@ -13,6 +14,29 @@ namespace
 const Foam::label stepsTried = 2;
 
 } // End anonymous namespace
+
+
+void Foam::fsbi::dryRun::tryFunctions(const scene& scene)
+{
+    // they open their files when they are made: in a folder beside postProcessing
+    // that is gone in the end, whose name is relative to the case
+    char scratch[] = "/tmp/fsbiFoam-dry-run-XXXXXX";
+    if (Pstream::master() && !mkdtemp(scratch))
+    {
+        return;
+    }
+    fileName up;
+    for (label i = time_.globalPath().components().size(); i > 0; --i)
+    {
+        up += "../";
+    }
+    const word usual(functionObject::outputPrefix);
+    functionObject::outputPrefix = word(up + (scratch + 1), false);
+    functionRunner(time_, scene);
+    time_.functionObjects().clear();
+    functionObject::outputPrefix = usual;
+    rmDir(scratch);
+}
 
 
 void Foam::fsbi::dryRun::tryStep(scene& scene)
@@ -92,8 +116,6 @@ void Foam::fsbi::dryRun::tellCost(scene& scene) const
 
 void Foam::fsbi::dryRun::run(const dictionary& saved)
 {
-    // they would write
-    time_.functionObjects().off();
     scene scene(time_, saved);
     if (saved.size())
     {
@@ -101,22 +123,11 @@ void Foam::fsbi::dryRun::run(const dictionary& saved)
     }
     tellScene(scene);
     tellDefaults();
+    tryFunctions(scene);
     Info<< nl << "Steps tried" << endl;
-    DynamicList<fileName> folders;
     while (steps_ < stepsTried && control_.next(scene))
     {
-        const fileName folder(time_.timePath());
-        const bool given = isDir(folder);
         tryStep(scene);
-        folders.append(given ? fileName() : folder);
-    }
-    // the clock writes there what function objects remember, though they are off
-    for (const fileName& folder : folders)
-    {
-        if (folder.size())
-        {
-            rmDir(folder, true);
-        }
     }
     tellCost(scene);
 }

@@ -109,7 +109,7 @@ int main(int argc, char *argv[])
 
         scene.endStep();
         steps.accept(scene);
-        history.append(steps.limit());
+        history.append(steps.limit(), steps.gap());
         states.writeWhenDue(scene, steps);
         functions.execute(steps.saveDue());
     }

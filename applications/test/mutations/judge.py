@@ -8,7 +8,6 @@ memory        more than 4 GB
 hang          20 s of computing, or a minute of waiting, without a word
 dryRunWrote   files of the case are others after `fsbiFoam -dry-run`
 dryRunMissed  the dry run passes, the run itself is refused before two steps
-              (but for function objects, which a dry run does not make)
 foreign       OpenFOAM's blockMesh, which is not this project's, ends by a signal
               or with a message that would be unclear
 refused       exit code not zero and one fatal message, which names the file,
@@ -162,9 +161,6 @@ class Judge:
         if dry.code:
             return self.stopped(mutation, dry, "dry run")
         run = self.fsbi("log.run", steps=STEPS)
-        # a dry run makes no function object, which would open its files
-        if run.code and "A function object cannot be made" in run.output:
-            return self.stopped(mutation, run, "run")
         if run.code or self.broken(run, "run"):
             return self.broken(run, "run") or Result(
                 "dryRunMissed", self.message(run.output), run.seconds)

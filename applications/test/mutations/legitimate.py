@@ -38,6 +38,8 @@ LIST = [
      "Stokes flow and statics have no memory: the start value is solved for at once"),
     ("constant/effects", r"bonds.*", "zeroed|deleted",
      "no bond forms within two steps"),
+    ("constant/effects", r"repulsion\.(strength|between)", "zeroed|deleted",
+     "the bodies are not within its reach"),
 ]
 
 
@@ -45,7 +47,7 @@ LIST = [
 # tables where they do
 NAMES = [
     ("constant/bodies", r"[^.]+"),
-    ("constant/effects", r"magnetics\.fields\.[^.]+|bonds\.pairs\.[^.]+"),
+    ("constant/effects", r"magnetics\.(fields|controller\.coils)\.[^.]+|bonds\.pairs\.[^.]+"),
     ("system/controlDict", r"functions\.[^.]+"),
 ]
 

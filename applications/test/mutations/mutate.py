@@ -115,6 +115,13 @@ def of_dictionary(text, entry):
         yield "comment not closed", before + "/* " + text[entry.start:]
 
 
+def cut_of(data):
+    """Where two thirds of a file end, within an entry."""
+    behind = 2 * len(data) // 3
+    ends = [i for i in (data.find(b";", behind), data.find(b"}", behind)) if i >= 0]
+    return min(ends, default=behind)
+
+
 def of_file(text):
     """(kind, bytes); None: the file is missing."""
     data = text.encode()
@@ -124,7 +131,7 @@ def of_file(text):
     yield "BOM", b"\xef\xbb\xbf" + data
     yield "CRLF", data.replace(b"\n", b"\r\n")
     yield "Latin-1 comment", data + "// Zellgröße in µm\n".encode("latin-1")
-    yield "cut", data[:2 * len(data) // 3]
+    yield "cut", data[:cut_of(data)]
     yield "brace too many", data + b"}\n"
     yield "comment not opened", data + b"of the cell */\n"
     yield "quote not closed", data + b'note "of the cell;\n'

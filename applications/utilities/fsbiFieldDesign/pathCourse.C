@@ -6,6 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "course.H"
 #include "fluidRegion.H"
 #include "resistance.H"
+#include "timeFunction.H"
 #include "untrapped.H"
 
 namespace Foam
@@ -29,17 +30,16 @@ public:
 
     path(const checkedDictionary& entries)
     :
-        position_(Function1<vector>::New("position", entries.dict())),
+        position_(timeFunction<vector>("position", entries)),
         start(entries.getOrDefault<scalar>("start", 0)),
         end(entries.get<scalar>("end")),
         samples(entries.getOrDefault<label>("samples", 100)),
         meshes(entries.getOrDefault<label>("meshes", 10)),
         given(entries.getOrDefault<scalarList>("resistance", scalarList()))
     {
-        entries.found("position");
         if (entries.found("angularVelocity"))
         {
-            spin_ = Function1<vector>::New("angularVelocity", entries.dict());
+            spin_ = timeFunction<vector>("angularVelocity", entries);
         }
         entries.finish();
         if (end <= start || samples < 3 || meshes < 1)
