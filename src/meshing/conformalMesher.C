@@ -25,7 +25,8 @@ static const label digits = 20;
 
 //- Where bodies are placed
 static const char* const places =
-    " (position and shape in constant/bodies, domain in system/blockMeshDict)";
+    " (position and shape in constant/bodies, vertices and scale of the domain"
+    " in system/blockMeshDict)";
 
 //- Shortest mean edge of a body, in units of the last of these digits: bodies
 //  that round-off would deform

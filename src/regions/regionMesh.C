@@ -18,6 +18,9 @@ SPDX-License-Identifier: GPL-3.0-or-later
 namespace Foam
 {
 
+//- Width of a mesh that is still computed with, as numbers of dictionaries are
+static const scalar farthest = 1e25;
+
 //- Folder of a region's mesh in constant
 static fileName folderOf(const word& region)
 {
@@ -306,12 +309,21 @@ Foam::fsbi::wholeMesh::wholeMesh(const Time& time, const word& region)
         )
     );
     Pstream::parRun() = parallel;
-    checkPatches();
+    check();
 }
 
 
-void Foam::fsbi::wholeMesh::checkPatches() const
+void Foam::fsbi::wholeMesh::check() const
 {
+    const fileName folder("constant"/mesh_->meshDir());
+    if (cmptMax(cmptMag(mesh_->bounds().span())) > farthest)
+    {
+        FatalErrorInFunction
+            << "The mesh in " << folder << " reaches from "
+            << mesh_->bounds().min() << " to " << mesh_->bounds().max()
+            << ", which cannot be computed with: see vertices and scale in"
+            << " system/blockMeshDict" << exit(FatalError);
+    }
     for (const polyPatch& patch : mesh_->boundaryMesh())
     {
         // what OpenFOAM makes of a type that it does not know
@@ -321,8 +333,8 @@ void Foam::fsbi::wholeMesh::checkPatches() const
         if (unknown || left)
         {
             FatalErrorInFunction
-                << "Patch '" << patch.name() << "' of the mesh in constant/"
-                << mesh_->meshDir() << " has "
+                << "Patch '" << patch.name() << "' of the mesh in " << folder
+                << " has "
                 << (unknown ? "an unknown type" : "the type 'empty'")
                 << ": in system/blockMeshDict every face must be in a patch,"
                 << " of the type patch or wall" << exit(FatalError);
