@@ -23,8 +23,6 @@ static label valuesIn(const UList<token>& tokens)
         values += depth == 0 && !sized;
         depth += opens;
         depth -= t == token::END_LIST;
-        // the closing one is not a value
-        values -= depth == 0 && t == token::END_LIST;
     }
     return values;
 }

@@ -63,9 +63,10 @@ void Foam::fsbi::adhesion::readPopulations
         {
             continue;
         }
-        for (const entry& e : surfaces.subDict(names[surface]))
+        const checkedDictionary kinds(surfaces.subDict(names[surface]));
+        for (const entry& e : kinds.dict())
         {
-            const checkedDictionary entries(e.dict());
+            const checkedDictionary entries(kinds.subDict(e.keyword()));
             const std::string name(names[surface] + "/" + e.keyword());
             autoPtr<population> p
             (

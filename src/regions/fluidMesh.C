@@ -97,7 +97,15 @@ void Foam::fsbi::fluidMesh::readFollow()
     (
         checkedDictionary(remeshDict_).subDict("follow")
     );
-    followed_ = namesOf(bodies_).find(follow.choice("body", namesOf(bodies_)));
+    const word body(follow.get<word>("body"));
+    followed_ = namesOf(bodies_).find(body);
+    if (followed_ < 0)
+    {
+        FatalIOErrorInFunction(follow.dict())
+            << "There is no 'body' '" << body << "' to follow: the bodies of"
+            << " constant/bodies are " << flatOutput(namesOf(bodies_))
+            << exit(FatalIOError);
+    }
     direction_ = follow.direction("direction", vector(1, 0, 0));
     follow.finish();
     remeshDict_.remove("follow");

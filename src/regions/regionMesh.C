@@ -336,8 +336,8 @@ void Foam::fsbi::wholeMesh::check() const
                 << "Patch '" << patch.name() << "' of the mesh in " << folder
                 << " has "
                 << (unknown ? "an unknown type" : "the type 'empty'")
-                << ": in system/blockMeshDict every face must be in a patch,"
-                << " of the type patch or wall" << exit(FatalError);
+                << ": every face must be in a patch of 'boundary' in"
+                << " system/blockMeshDict, of the type patch or wall" << exit(FatalError);
         }
     }
 }

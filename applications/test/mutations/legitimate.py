@@ -40,6 +40,8 @@ LIST = [
      "no bond forms within two steps"),
     ("constant/effects", r"repulsion\.(strength|between)", "zeroed|deleted",
      "the bodies are not within its reach"),
+    ("constant/effects", r"magnetics\.controller\.coils\.[^.]+", "misspelt",
+     "a name that is the user's own to choose"),
 ]
 
 
@@ -47,7 +49,7 @@ LIST = [
 # tables where they do
 NAMES = [
     ("constant/bodies", r"[^.]+"),
-    ("constant/effects", r"magnetics\.(fields|controller\.coils)\.[^.]+|bonds\.pairs\.[^.]+"),
+    ("constant/effects", r"magnetics\.fields\.[^.]+|bonds\.pairs\.[^.]+"),
     ("system/controlDict", r"functions\.[^.]+"),
 ]
 
