@@ -16,7 +16,8 @@ from fsbi.results import Results
 FREE_SHEAR = 1e-4       # 1/us, of the run without bonds
 # Of the speed without bonds. "No adhesion" is that of Chang, Tees & Hammer (2000),
 # Proc. Natl Acad. Sci. 97, 11262; their firm cells stand for a second, these runs
-# last 30 ms, in which a bond drawn taut lets a cell go a radius in twenty
+# last 30 ms (60 at the lowest shear rate), in which a bond drawn taut lets a cell go
+# a radius in twenty
 FIRM, FREE = 0.05, 0.95
 STATES = ("firm", "rolling", "no adhesion")
 quick = sys.argv[1] == "true"
