@@ -166,10 +166,14 @@ void Foam::fsbi::caseInput::checkFluid() const
 }
 
 
-void Foam::fsbi::caseInput::checkAll() const
+void Foam::fsbi::caseInput::checkAll(const wordList& others) const
 {
     require("system/controlDict", "is this the folder of a case?");
     for (const word& file : systemFiles)
+    {
+        checkFile("system"/file);
+    }
+    for (const word& file : others)
     {
         checkFile("system"/file);
     }
@@ -186,11 +190,14 @@ void Foam::fsbi::caseInput::checkAll() const
 }
 
 
-void Foam::fsbi::caseInput::check(const argList& args)
+void Foam::fsbi::caseInput::check
+(
+    const argList& args, const wordList& others
+)
 {
     if (Pstream::master())
     {
-        caseInput(args.globalPath()).checkAll();
+        caseInput(args.globalPath()).checkAll(others);
     }
     returnReduce(true, andOp<bool>());          // until the master has looked
 }

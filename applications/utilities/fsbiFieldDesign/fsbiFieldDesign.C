@@ -43,6 +43,7 @@ Limitations
 
 #include "petscObjects.H"
 #include "argList.H"
+#include "caseInput.H"
 #include "designFiles.H"
 #include "Time.H"
 
@@ -80,6 +81,7 @@ int main(int argc, char *argv[])
         " postProcessing/fieldDesign.csv."
     );
     #include "setRootCase.H"
+    fsbi::caseInput::check(args, {"fieldDesignDict"});
     #include "createTime.H"
     runTime.setTime(scalar(0), 0);
     IOstream::defaultPrecision(16);         // of places on the way as entries

@@ -27,6 +27,7 @@ Limitations
 \*---------------------------------------------------------------------------*/
 
 #include "report.H"
+#include "caseInput.H"
 #include "elasticBody.H"
 #include "petscObjects.H"
 #include "argList.H"
@@ -175,6 +176,7 @@ int main(int argc, char *argv[])
         "shape", "file", "Write the observed surface as STL or OBJ; no more"
     );
     #include "setRootCase.H"
+    fsbi::caseInput::check(args, {"identifyDict"});
     #include "createTime.H"
 
     petscSession petsc;
