@@ -29,6 +29,14 @@ static functionObject& inner(functionObject& object)
       : object;
 }
 
+//- The clock's word that a state is written at its time
+struct writeTimes
+:
+    public TimeState
+{
+    static void set(TimeState& time) { time.*(&writeTimes::writeTime_) = true; }
+};
+
 //- What OpenFOAM wants to know of a mesh in which nothing is as it was
 static autoPtr<mapPolyMesh> newMesh(const polyMesh& mesh)
 {
@@ -189,15 +197,15 @@ void Foam::fsbi::functionRunner::execute(const bool saved)
         return;
     }
     functionObjectList& list = time_.functionObjects();
+    if (saved)
+    {
+        // also where the run ends, or Ctrl-C ended it, between two of those that
+        // the clock knows: means must go on from there
+        writeTimes::set(time_);
+    }
     list.on();
     tellOfMeshes();
     list.execute();
-    if (saved && !time_.writeTime())
-    {
-        const unsigned precision = IOstream::defaultPrecision(16);
-        list.stateDict().regIOobject::write();
-        IOstream::defaultPrecision(precision);
-    }
     const bool modified = list.filesModified();
     list.off();
     if (modified)
