@@ -136,10 +136,13 @@ void Foam::fsbi::scene::checkParts() const
      && (bodies_.size() || prescribed_.size() || solids_.empty())
     )
     {
+        const bool none =
+            bodies_.empty() && prescribed_.empty() && solids_.empty();
         FatalErrorInFunction
-            << "There is no file constant/fluid/material, which rigid and"
-            << " rolling bodies need; a scene without fluid has elastic bodies only"
-            << exit(FatalError);
+            << (none ? "There is no body in constant/bodies, and no"
+               : "There is no") << " file constant/fluid/material, which rigid"
+            << " and rolling bodies need; a scene without fluid has elastic"
+            << " bodies only" << exit(FatalError);
     }
 }
 

@@ -199,10 +199,15 @@ void Foam::fsbi::solidRegion::setFields()
             faces[i] = given.faces[i];
         }
     }
+    vectorField vertices(movedPoints_ + elastic_->vertexDisplacement());
+    if (wetted_)
+    {
+        // where the fluid's mesh has them
+        wetted_->hold(vertices);
+    }
     fields_->setDisplacement
     (
-        movedCells_ + cells(), movedFaces_ + faces,
-        movedPoints_ + elastic_->vertexDisplacement()
+        movedCells_ + cells(), movedFaces_ + faces, vertices
     );
     fields_->setStress(elastic_(), material_->type() == "linearElastic");
 }

@@ -202,6 +202,19 @@ Foam::vectorField Foam::fsbi::wettedSurface::part
 }
 
 
+void Foam::fsbi::wettedSurface::hold(vectorField& vertices) const
+{
+    forAll(solid_.points, i)
+    {
+        const label p = solid_.pointNumbers[i];
+        if (heldPoints_[p])
+        {
+            vertices[solid_.points[i]] = heldAt_[p];
+        }
+    }
+}
+
+
 void Foam::fsbi::wettedSurface::setSurface(elasticRows& rows) const
 {
     rows.heldPoints = heldPoints_;
