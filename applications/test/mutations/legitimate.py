@@ -40,7 +40,7 @@ LIST = [
      "no bond forms within two steps"),
     ("constant/effects", r"repulsion\.(strength|between)", "zeroed|deleted",
      "the bodies are not within its reach"),
-    ("constant/effects", r"magnetics\.controller\.coils\.[^.]+", "misspelt",
+    ("constant/effects", r"magnetics\.(fields|controller\.coils)\.[^.]+", "misspelt",
      "a name that is the user's own to choose"),
 ]
 
