@@ -42,6 +42,8 @@ LIST = [
      "the bodies are not within its reach"),
     ("constant/effects", r"magnetics\.(fields|controller\.coils)\.[^.]+", "misspelt",
      "a name that is the user's own to choose"),
+    ("constant/effects", r"magnetics\.fields\.[^.]+\.axis", "negated",
+     "the gradient along an axis is the same both ways"),
 ]
 
 
