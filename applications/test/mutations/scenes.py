@@ -20,6 +20,7 @@ COARSE = {
     "microbeadInGradient": (3, (3, 3, 3)),
     "softCellInShear": (1.8, (4, 4, 4)),
     "rotatingSphere": (2, None),
+    "cellInCapillary": (2, None),
     "leukocyteRollingOnEndothelium": (1.5, (4, 2, 3)),
     "beamFlexure": (1, None),
     "microbeadTethered": (2, (6, 3, 5)),
@@ -73,6 +74,11 @@ def prepare(tutorial, case):
         size = " ".join(map(str, cells))
         edit(os.path.join(case, "system/blockMeshDict"), r"\(\d+ \d+ \d+\) simpleGrading",
              f"({size}) simpleGrading")
+        edit(os.path.join(case, "system/remeshDict"), r"^(growth\s+)[0-9.]+", r"\g<1>1")
+    elif tutorial == "cellInCapillary":
+        # the rim's cells as many along and around as the core's
+        edit(os.path.join(case, "system/blockMeshDict"), r"\(32 16 (16|3)\)",
+             lambda m: "(8 6 6)" if m[1] == "16" else "(8 6 1)")
         edit(os.path.join(case, "system/remeshDict"), r"^(growth\s+)[0-9.]+", r"\g<1>1")
     elif tutorial.startswith("beam"):
         # 72 cells
