@@ -57,6 +57,17 @@ void Foam::fsbi::adhesion::readPopulations
 {
     const checkedDictionary surfaces(dict);
     const wordList names(around.names());
+    for (const entry& e : dict)
+    {
+        if (!names.found(e.keyword()))
+        {
+            FatalIOErrorInFunction(dict)
+                << "There is no body (constant/bodies) or plane wall '"
+                << e.keyword() << "' for 'molecules'"
+                << around.unseenReason(e.keyword()).c_str() << "; valid are "
+                << flatOutput(names) << exit(FatalIOError);
+        }
+    }
     forAll(names, surface)
     {
         if (!surfaces.found(names[surface]))
@@ -85,7 +96,6 @@ void Foam::fsbi::adhesion::readPopulations
             populations_.append(p.ptr());
         }
     }
-    surfaces.finish();
 }
 
 

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "functionRunner.H"
+#include "checkedDictionary.H"
 #include "mapPolyMesh.H"
 #include "timeControlFunctionObject.H"
 
@@ -88,7 +89,8 @@ Foam::fsbi::functionRunner::functionRunner(Time& time, const scene& scene)
 
 void Foam::fsbi::functionRunner::check() const
 {
-    for (const entry& e : time_.controlDict().subDict("functions"))
+    const checkedDictionary controls(time_.controlDict());
+    for (const entry& e : controls.subDict("functions"))
     {
         if (!e.isDict() || !e.dict().getOrDefault("enabled", true))
         {

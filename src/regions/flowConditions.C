@@ -229,7 +229,7 @@ Foam::string Foam::fsbi::flowConditions::asWall
     {
         return "fluid passes through it";
     }
-    return uneven > roundOff*fastest ? "its velocity varies" : "";
+    return uneven > roundOff*fastest ? "its velocity in 0/fluid/U varies" : "";
 }
 
 
