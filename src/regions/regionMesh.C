@@ -316,13 +316,15 @@ Foam::fsbi::wholeMesh::wholeMesh(const Time& time, const word& region)
 void Foam::fsbi::wholeMesh::check() const
 {
     const fileName folder("constant"/mesh_->meshDir());
-    if (cmptMax(cmptMag(mesh_->bounds().span())) > farthest)
+    const vector span(mesh_->bounds().span());
+    if (!(cmptMin(span) > 0 && cmptMax(span) < farthest))
     {
         FatalErrorInFunction
             << "The mesh in " << folder << " reaches from "
             << mesh_->bounds().min() << " to " << mesh_->bounds().max()
-            << ", which cannot be computed with: see vertices and scale in"
-            << " system/blockMeshDict" << exit(FatalError);
+            << ": without volume, or too far to be computed with. See"
+            << " vertices and scale in system/blockMeshDict"
+            << exit(FatalError);
     }
     for (const polyPatch& patch : mesh_->boundaryMesh())
     {
@@ -334,10 +336,10 @@ void Foam::fsbi::wholeMesh::check() const
         {
             FatalErrorInFunction
                 << "Patch '" << patch.name() << "' of the mesh in " << folder
-                << " has "
-                << (unknown ? "an unknown type" : "the type 'empty'")
+                << " has " << (unknown ? "an unknown type" : "the type 'empty'")
                 << ": every face must be in a patch of 'boundary' in"
-                << " system/blockMeshDict, of the type patch or wall" << exit(FatalError);
+                << " system/blockMeshDict, of the type patch or wall"
+                << exit(FatalError);
         }
     }
 }

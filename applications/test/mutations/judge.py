@@ -12,7 +12,8 @@ foreign       OpenFOAM's blockMesh, which is not this project's, ends by a signa
               or with a message that would be unclear
 refused       exit code not zero and one fatal message, which names the file,
               and of an entry the keyword, what it was changed to, the dictionary
-              it is in, or its line (but of the header and of SYNTAX);
+              it is in, or its line (but of the header, of SYNTAX, and of
+              what was deleted);
               or what a keyword or the path of a file was misspelt to; or, of
               values that are none of the SLIPS, why a mesh or a step fails
 unclear       a message that does not, or more than one
@@ -219,7 +220,8 @@ class Judge:
         if not any(name in message for name in names):
             return "the file is not named"
         words = (*mutation.path, mutation.new)
-        if not mutation.path or mutation.path[0] == HEADER or mutation.kind in SYNTAX \
+        if not mutation.path or mutation.path[0] == HEADER \
+                or mutation.kind in (*SYNTAX, "deleted") \
                 or any(named(word, message) for word in words):
             return ""
         for low, high in re.findall(r"line (\d+)(?: to line (\d+))?", message):
