@@ -18,6 +18,9 @@ SPDX-License-Identifier: GPL-3.0-or-later
 namespace Foam
 {
 
+//- Part of its distance from the origin by which a mesh that has no width is wide
+static const scalar roundOff = 1e-12;
+
 //- Width of a mesh that is still computed with, as numbers of dictionaries are
 static const scalar farthest = 1e25;
 
@@ -316,13 +319,13 @@ Foam::fsbi::wholeMesh::wholeMesh(const Time& time, const word& region)
 void Foam::fsbi::wholeMesh::check() const
 {
     const fileName folder("constant"/mesh_->meshDir());
-    const vector span(mesh_->bounds().span());
-    if (!(cmptMin(span) > 0 && cmptMax(span) < farthest))
+    const boundBox box(mesh_->points(), false);
+    const scalar reach = cmptMax(cmptMag(box.min()) + cmptMag(box.max()));
+    if (!(cmptMin(box.span()) > roundOff*reach && reach < farthest))
     {
         FatalErrorInFunction
             << "The mesh in " << folder << " reaches from "
-            << mesh_->bounds().min() << " to " << mesh_->bounds().max()
-            << ": without volume, or too far to be computed with. See"
+            << box.min() << " to " << box.max() << ": without volume, or too far to be computed with. See"
             << " vertices and scale in system/blockMeshDict"
             << exit(FatalError);
     }

@@ -87,13 +87,13 @@ int main(int argc, char *argv[])
     {
         steps.restore(saved.subDict("stepControl"));
     }
-    else
+    fsbi::functionRunner functions(runTime, scene);
+    if (!restarted)
     {
         states.write(scene, steps);
     }
     fsbi::writeToolFiles(runTime, scene);
     fsbi::recorder history(runTime, scene, restarted, defaults.lines());
-    fsbi::functionRunner functions(runTime, scene);
 
     while (steps.next(scene))
     {
