@@ -73,6 +73,12 @@ void Foam::fsbi::caseInput::checkFile
     const fileName& file, const word& className
 ) const
 {
+    if (isDir(path_/file))
+    {
+        FatalErrorInFunction
+            << file.c_str() << " must be a file, but is a folder"
+            << exit(FatalError);
+    }
     if (!isFile(path_/file, false))
     {
         return;

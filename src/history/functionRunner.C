@@ -6,6 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "functionRunner.H"
 #include "checkedDictionary.H"
 #include "mapPolyMesh.H"
+#include "spelling.H"
 #include "timeControlFunctionObject.H"
 
 namespace Foam
@@ -19,6 +20,28 @@ static const wordList forgetful
 ({
     "surfaceFieldValue", "nearWallFields", "mapFields"
 });
+
+//- Of all function objects, those that may be missing
+static const wordList keywords
+({
+    "enabled", "writeControl", "writeInterval", "executeControl",
+    "executeInterval", "timeStart", "timeEnd"
+});
+
+//- OpenFOAM ignores what it does not know
+static void tellSlips(const dictionary& dict)
+{
+    for (const entry& e : dict)
+    {
+        const word meant(nearest(e.keyword(), keywords));
+        if (meant.size() && meant != e.keyword())
+        {
+            Info<< "Warning: entry '" << e.keyword() << "' of function object '"
+                << dict.dictName() << "' (system/controlDict): is '" << meant
+                << "' meant?" << nl;
+        }
+    }
+}
 
 //- The object itself, also outside its times: it must know the mesh then, too
 static functionObject& inner(functionObject& object)
@@ -96,6 +119,7 @@ void Foam::fsbi::functionRunner::check() const
         {
             continue;
         }
+        tellSlips(e.dict());
         const word type(e.dict().getOrDefault<word>("type", word::null));
         if (type == "forces" || type == "forceCoeffs")
         {

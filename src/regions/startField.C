@@ -5,6 +5,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "startField.H"
 #include "checkedDictionary.H"
+#include "fvPatchFields.H"
+#include "spelling.H"
 #include "Time.H"
 #include "IFstream.H"
 #include "IStringStream.H"
@@ -58,6 +60,28 @@ Foam::dictionary Foam::fsbi::startField
 }
 
 
+//- Fatal if a patch has a condition that there is not
+static void checkType(const Foam::dictionary& patch)
+{
+    using namespace Foam;
+    const word type(patch.getOrDefault<word>("type", word::null));
+    const wordList known
+    (
+        fvPatchVectorField::dictionaryConstructorTablePtr_->sortedToc()
+    );
+    if (type.size() && !known.found(type))
+    {
+        const word meant(fsbi::nearest(type, known));
+        FatalIOErrorInFunction(patch)
+            << "There is no boundary condition '" << type << "'"
+            << string(meant.size() ? " (" + meant + "?)" : "").c_str()
+            << ", neither here nor in a library that 'libs' of"
+            << " system/controlDict names; there are " << flatOutput(known)
+            << exit(FatalIOError);
+    }
+}
+
+
 void Foam::fsbi::checkPatches(const dictionary& field, const polyMesh& mesh)
 {
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
@@ -85,6 +109,7 @@ void Foam::fsbi::checkPatches(const dictionary& field, const polyMesh& mesh)
                 << "', but the patches of region '" << mesh.name() << "' are "
                 << flatOutput(names) << exit(FatalIOError);
         }
+        checkType(e.dict());
     }
 }
 
