@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Write the validation tables of two READMEs from the results.csv files.
+r"""Write the validation tables of two READMEs from the results.csv files.
 
-    table.py README.md validation/README.md validation/*/results.csv
+    table.py README.md validation/README.md validation/*/results.csv \
+        applications/test/mutations/results.csv
 
 A table replaces what stands between the lines <!-- results --> and
 <!-- /results -->: in the first file a line for each folder, in the second one
@@ -67,8 +68,8 @@ def missed(rows):
     return not all(map(results.passed, rows))
 
 
-def quantity_lines(path):
-    folder = os.path.basename(os.path.dirname(path))
+def quantity_lines(path, readme):
+    folder = os.path.relpath(os.path.dirname(path), os.path.dirname(readme))
     for name, rows in quantities(path).items():
         worst = max(rows, key=closeness)
         cells = max(int(row["cells"]) for row in rows)
@@ -102,10 +103,10 @@ def overview(paths):
             *map(folder_line, paths)]
 
 
-def details(paths):
+def details(paths, readme):
     return ["| case | quantity | checks | error or value | bound | largest mesh |",
             "|---|---|---|---|---|---|",
-            *(line for path in paths for line in quantity_lines(path))]
+            *(line for path in paths for line in quantity_lines(path, readme))]
 
 
 def replace(readme, lines):
@@ -121,7 +122,7 @@ def replace(readme, lines):
 
 def main(readme, full, *paths):
     replace(readme, overview(paths))
-    replace(full, details(paths))
+    replace(full, details(paths, full))
 
 
 if __name__ == "__main__":
