@@ -5,7 +5,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "coupledSystem.H"
 #include "checkedDictionary.H"
-#include "Pstream.H"
 #include "PstreamReduceOps.H"
 
 namespace Foam
@@ -97,12 +96,9 @@ void Foam::fsbi::coupledSystem::set
     elastic_ = elastic;
     values_ = given;
     scales_ = rowScales(stokes_, bodies, elastic);
-    const label n = nCellRows();
-    state_.setSize(n);
-    result_.setSize
-    (
-        n + (Pstream::master() ? 6*bodies.size() + 3*nTethers() : 0)
-    );
+    layout_ = systemLayout(mesh_.nCells(), elastic_, bodies.size());
+    state_.setSize(layout_.nDistributed());
+    result_.setSize(layout_.size());
     if (!krylov_)
     {
         createKrylov();
@@ -229,8 +225,7 @@ bool Foam::fsbi::coupledSystem::advance
         {
             tried[i] -= part*dx[i];
         }
-        const label n = 4*mesh_.nCells();
-        elasticResiduals(tried.cdata() + n, result_.begin() + n, false);
+        elasticResiduals(tried.cdata(), result_.begin(), false);
         bool valid = true;
         for (const elasticRows* body : elastic_)
         {
@@ -264,11 +259,10 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSystem::correct
     {
         // relative to the fluid and rigid bodies at rest
         scalarList rest(unknown);
-        std::fill_n(rest.begin(), 4*mesh_.nCells(), scalar(0));
-        writeBodies
-        (
-            List<sixVector>(bodies.size(), sixVector(Zero)), rest.begin()
-        );
+        std::fill_n(rest.begin(), layout_.nFluid(), scalar(0));
+        systemLayout::whole still(layout_.read(rest.cdata()));
+        still.velocities = sixVector(Zero);
+        layout_.write(still, rest.begin());
         residual(rest.cdata(), result_.begin(), false);
         scale_ = norm(result_);
     }

@@ -37,56 +37,50 @@ void Foam::fsbi::coupledSystem::elasticResiduals
     const bool homogeneous
 ) const
 {
-    for (const elasticRows* body : elastic_)
+    forAll(elastic_, e)
     {
-        elasticOperator& elastic = *body->elastic;
+        const elasticRows& body = *elastic_[e];
+        const scalar* xe = x + layout_.elastic(e);
+        scalar* re = r + layout_.elastic(e);
         homogeneous
-          ? elastic.tangent(x, r)
-          : elastic.residual(x, *body->given, r);
-        forAll(body->mass, i)
+          ? body.elastic->tangent(xe, re)
+          : body.elastic->residual(xe, *body.given, re);
+        const vector* u = layout_.displacement(e, x);
+        vector* row = layout_.displacement(e, r);
+        forAll(body.mass, i)
         {
-            for (label k = 0; k < 3; ++k)
-            {
-                r[3*i + k] +=
-                    body->mass[i]*x[3*i + k]
-                  - (homogeneous ? 0 : body->force[i][k]);
-            }
+            row[i] +=
+                body.mass[i]*u[i]
+              - (homogeneous ? vector::zero : body.force[i]);
         }
-        setSurfaceVelocity(*body, homogeneous, values_);
-        x += elastic.size();
-        r += elastic.size();
+        setSurfaceVelocity(body, homogeneous, values_);
     }
 }
 
 
-void Foam::fsbi::coupledSystem::tetherResiduals
+Foam::vectorField Foam::fsbi::coupledSystem::tetherResiduals
 (
+    const UList<vector>& tethers,
     const scalar* x,
     scalar* r,
     const bool homogeneous
 ) const
 {
-    if (!nTethers())
-    {
-        return;
-    }
-    const vectorField tethers(readTethers(x));
     vectorField stretch(elastic_.size(), Zero);
-    label start = 4*mesh_.nCells();
+    if (!layout_.tethers())
+    {
+        return stretch;
+    }
     forAll(elastic_, e)
     {
         const elasticRows& body = *elastic_[e];
-        if (body.tethered())
+        const vector* u = layout_.displacement(e, x);
+        vector* row = layout_.displacement(e, r);
+        forAll(body.share, i)
         {
-            const vector* u = reinterpret_cast<const vector*>(x + start);
-            vector* row = reinterpret_cast<vector*>(r + start);
-            forAll(body.share, i)
-            {
-                row[i] -= body.share[i]*tethers[e];
-                stretch[e] += body.share[i]*u[i];
-            }
+            row[i] -= body.share[i]*tethers[e];
+            stretch[e] += body.share[i]*u[i];
         }
-        start += body.elastic->size();
     }
     surfaceSide::sum(stretch);
     forAll(stretch, e)
@@ -95,7 +89,7 @@ void Foam::fsbi::coupledSystem::tetherResiduals
             elastic_[e]->rate
            *(stretch[e] - (homogeneous ? vector::zero : elastic_[e]->place));
     }
-    writeTethers(stretch, r);
+    return stretch;
 }
 
 
@@ -121,11 +115,11 @@ Foam::fsbi::loads::onBodies Foam::fsbi::coupledSystem::effectForces
 }
 
 
-void Foam::fsbi::coupledSystem::bodyResiduals
+Foam::List<Foam::fsbi::sixVector>
+Foam::fsbi::coupledSystem::bodyResiduals
 (
     const UList<sixVector>& v,
     const loads::onBodies& load,
-    scalar* r,
     const bool homogeneous
 ) const
 {
@@ -145,7 +139,7 @@ void Foam::fsbi::coupledSystem::bodyResiduals
             defects[b][k] *= -scales_.bodies()[b][k];
         }
     }
-    writeBodies(defects, r);
+    return defects;
 }
 
 
@@ -166,13 +160,11 @@ void Foam::fsbi::coupledSystem::residual
         values_.faces = given_->faces;
         values_.vertices = given_->vertices;
     }
-    const label n = 4*mesh_.nCells();
-    const List<sixVector> v(readBodies(x));
-    setBodyVelocities(stokes_, *bodies_, v, values_);
-    elasticResiduals(x + n, r + n, homogeneous);
+    const systemLayout::whole now(layout_.read(x));
+    setBodyVelocities(stokes_, *bodies_, now.velocities, values_);
+    elasticResiduals(x, r, homogeneous);
     fluidResidual(x, r, homogeneous);
-    const loads::onBodies load(effectForces(v, homogeneous));
-    scalar* row = r + n;
+    const loads::onBodies load(effectForces(now.velocities, homogeneous));
     forAll(elastic_, e)
     {
         const elasticRows& body = *elastic_[e];
@@ -181,12 +173,17 @@ void Foam::fsbi::coupledSystem::residual
         {
             body.solid.addToFaces(load.triangles[bodies_->size() + e], force);
         }
-        body.elastic->addLoad(force, row);
-        row += body.elastic->size();
+        body.elastic->addLoad(force, r + layout_.elastic(e));
     }
-    tetherResiduals(x, r, homogeneous);
+    const vectorField stretch
+    (
+        tetherResiduals(now.tethers, x, r, homogeneous)
+    );
     scales_.apply(r);
-    bodyResiduals(v, load, r, homogeneous);
+    layout_.write
+    (
+        {bodyResiduals(now.velocities, load, homogeneous), stretch}, r
+    );
 }
 
 
@@ -199,7 +196,8 @@ void Foam::fsbi::coupledSystem::precondition
     // bodies' rows are scaled by the inverse of a crude diagonal: only torques,
     // which stand as velocities at the surface, change
     scales_.undo(r, state_.begin());
-    List<sixVector> v(readBodies(r));
+    systemLayout::whole bodies(layout_.read(r));
+    List<sixVector>& v = bodies.velocities;
     forAll(v, b)
     {
         for (label k = 3; k < 6; ++k)
@@ -231,20 +229,17 @@ void Foam::fsbi::coupledSystem::precondition
 
     // a tether's residual is a velocity, which the drag of a sphere resists
     const scalar pi = constant::mathematical::pi;
-    vectorField tethers(readTethers(r));
-    label start = 4*mesh_.nCells();
     forAll(elastic_, e)
     {
-        tethers[e] *= 6*pi*stokes_.mu()*elastic_[e]->radius;
-        vector* row = reinterpret_cast<vector*>(state_.begin() + start);
+        vector& tether = bodies.tethers[e];
+        tether *= 6*pi*stokes_.mu()*elastic_[e]->radius;
+        vector* row = layout_.displacement(e, state_.begin());
         forAll(elastic_[e]->share, i)
         {
-            row[i] += elastic_[e]->share[i]*tethers[e];
+            row[i] += elastic_[e]->share[i]*tether;
         }
-        start += elastic_[e]->elastic->size();
     }
 
     preconditioner_->apply(state_.cdata(), z);
-    writeBodies(v, z);
-    writeTethers(tethers, z);
+    layout_.write(bodies, z);
 }
