@@ -18,10 +18,10 @@ namespace fsbi
 //  where a gap allows none that is good
 static const scalar wear = 3;
 
-//- Fatal if the domain has no volume
+//- Fatal if the domain has cells without volume
 static void checkDomain(const polyMesh& domain)
 {
-    if (!(cmptMin(domain.bounds().span()) > 0 && min(domain.cellVolumes()) > 0))
+    if (!(min(domain.cellVolumes()) > 0))
     {
         FatalErrorInFunction
             << "The domain has cells without volume: see the vertices and"

@@ -324,9 +324,9 @@ void Foam::fsbi::wholeMesh::check() const
     if (!(cmptMin(box.span()) > roundOff*reach && reach < farthest))
     {
         FatalErrorInFunction
-            << "The mesh in " << folder << " reaches from "
-            << box.min() << " to " << box.max() << ": without volume, or too far to be computed with. See"
-            << " vertices and scale in system/blockMeshDict"
+            << "The mesh in " << folder << " reaches from " << box.min()
+            << " to " << box.max() << ": without volume, or too far to be"
+            << " computed with. See vertices and scale in system/blockMeshDict"
             << exit(FatalError);
     }
     for (const polyPatch& patch : mesh_->boundaryMesh())

@@ -13,29 +13,55 @@ namespace
 //- The second one starts from the flow of the first
 const Foam::label stepsTried = 2;
 
+//- Where files may be opened that are gone when the program ends, however
+class scratchFolder
+{
+    Foam::fileName path_;
+
+public:
+
+    scratchFolder()
+    {
+        char name[] = "/tmp/fsbiFoam-dry-run-XXXXXX";
+        if (Foam::Pstream::master() && mkdtemp(name))
+        {
+            path_ = name;
+        }
+        Foam::Pstream::scatter(path_);
+    }
+
+    ~scratchFolder()
+    {
+        if (Foam::Pstream::master())
+        {
+            Foam::rmDir(path_, true);
+        }
+    }
+
+    //- Its name as it is relative to an absolute path
+    Foam::word from(const Foam::fileName& path) const
+    {
+        std::string up;
+        for (Foam::label i = path.components().size(); i > 0; --i)
+        {
+            up += "../";
+        }
+        return Foam::word(up + path_.substr(path_.size() > 0), false);
+    }
+};
+
 } // End anonymous namespace
 
 
 void Foam::fsbi::dryRun::tryFunctions(const scene& scene)
 {
-    // they open their files when they are made: in a folder beside postProcessing
-    // that is gone in the end, whose name is relative to the case
-    char scratch[] = "/tmp/fsbiFoam-dry-run-XXXXXX";
-    if (Pstream::master() && !mkdtemp(scratch))
-    {
-        return;
-    }
-    fileName up;
-    for (label i = time_.globalPath().components().size(); i > 0; --i)
-    {
-        up += "../";
-    }
+    // they open their files when they are made
+    static const scratchFolder scratch;
     const word usual(functionObject::outputPrefix);
-    functionObject::outputPrefix = word(up + (scratch + 1), false);
+    functionObject::outputPrefix = scratch.from(time_.globalPath());
     functionRunner(time_, scene);
     time_.functionObjects().clear();
     functionObject::outputPrefix = usual;
-    rmDir(scratch);
 }
 
 
