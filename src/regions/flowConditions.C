@@ -96,7 +96,17 @@ void Foam::fsbi::flowConditions::checkBodies(const dictionary& patches) const
 }
 
 
-void Foam::fsbi::flowConditions::keep(const volVectorField& U)
+Foam::vector Foam::fsbi::flowConditions::startVelocity() const
+{
+    ITstream& is = conditions_.lookup("internalField");
+    return word(is) == "uniform" ? vector(is) : vector::zero;
+}
+
+
+void Foam::fsbi::flowConditions::keep
+(
+    const volVectorField& U, const vector& startVelocity
+)
 {
     dictionary patches;
     for (const fvPatchVectorField& pf : U.boundaryField())
@@ -123,10 +133,11 @@ void Foam::fsbi::flowConditions::keep(const volVectorField& U)
         }
         patches.set(pf.patch().name(), entry);
     }
-    dictionary dict
-    (
-        IStringStream("dimensions [0 1 -1 0 0 0 0]; internalField uniform (0 0 0);")()
-    );
+    OStringStream start;
+    start.precision(17);
+    start << "dimensions [0 1 -1 0 0 0 0]; internalField uniform "
+        << startVelocity << ";";
+    dictionary dict(IStringStream(start.str())());
     dict.set("boundaryField", patches);
     conditions_ = dict;
 }

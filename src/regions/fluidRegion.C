@@ -28,7 +28,7 @@ Foam::fsbi::fluidRegion::fluidRegion
     checkedDictionary::checkBlocks(mesh().schemesDict(), {});
     if (savedMesh.size())
     {
-        readFields();
+        readFields(savedMesh);
     }
     else
     {
@@ -60,7 +60,7 @@ Foam::scalar Foam::fsbi::fluidRegion::readViscosity(const Time& time)
 }
 
 
-void Foam::fsbi::fluidRegion::readFields()
+void Foam::fsbi::fluidRegion::readFields(const dictionary& saved)
 {
     IOobject io
     (
@@ -70,7 +70,17 @@ void Foam::fsbi::fluidRegion::readFields()
     U_.reset(new volVectorField(io, mesh()));
     io.rename("p");
     p_.reset(new volScalarField(io, mesh()));
-    conditions_.keep(U_());
+    conditions_.keep
+    (
+        U_(), saved.getOrDefault<vector>("startVelocity", Zero)
+    );
+}
+
+
+void Foam::fsbi::fluidRegion::save(dictionary& state) const
+{
+    mesh_.save(state);
+    state.set("startVelocity", conditions_.startVelocity());
 }
 
 

@@ -348,7 +348,7 @@ void Foam::fsbi::scene::save(dictionary& state) const
     if (fluid_)
     {
         dictionary mesh;
-        fluid_->meshing().save(mesh);
+        fluid_->save(mesh);
         state.set("fluidMesh", mesh);
     }
     if (effects_)

@@ -159,8 +159,10 @@ void Foam::fsbi::stepControl::choose(const scene& scene)
         limit_ = "deltaT";
     }
     const scalar left = time_.endTime().value() - time_.value();
+    // a step that ends there but for round-off is the same in a run that goes on
     const bool last =
-        left > sameTime*deltaT && left < (1 + shortestRest)*chosen_;
-    limit_ = last && left < (1 - sameTime)*chosen_ ? "endTime" : limit_;
+        left > sameTime*deltaT && left < (1 + shortestRest)*chosen_
+     && mag(left - chosen_) > sameTime*chosen_;
+    limit_ = last && left < chosen_ ? "endTime" : limit_;
     time_.setDeltaT(last ? left : chosen_, false);
 }

@@ -9,7 +9,8 @@ What cancels, or is nothing, in a scene has the scale of what it is made of:
 
 - forces and torques: the largest of all bodies, at least Stokes' drag 6 pi mu a U
   and torque 8 pi mu a^3 omega at the largest velocities: on free bodies they
-  cancel;
+  cancel; angular velocities: at least U/a, the surface of a body that turns in
+  nothing but the mesh's error is as fast as that error;
 - an elastic body's centre: at least its radius a; its energy and the reaction of
   its supports: at least those of a strain of 0.1 %, 1e-6 E a^3 and 1e-3 E a^2;
   work: at least that of this reaction over a radius (the surface of
@@ -55,7 +56,7 @@ def tables(history):
 
 def scale_of(path):
     """What is measured by one scale: a table, or all forces or torques."""
-    for name in ("/reaction/", "/work", "/energy", "/centre"):
+    for name in ("/reaction/", "/work", "/energy", "/centre", "/angularVelocity"):
         if name in path:
             return name
     if path.endswith(("/fluidForce", "/tether")):
@@ -90,8 +91,9 @@ def stokes(run, values):
     speeds = [np.max(np.abs(np.diff(way[:, 1:], axis=0) / np.diff(way[:, :1], axis=0)), initial=0)
               for way in ways]
     speed = max(speeds + [fastest("/velocity")])
+    spin = max(speed / a, fastest("/angularVelocity"))
     return {"/force/": 6 * math.pi * mu * a * speed,
-            "/torque/": 8 * math.pi * mu * a**3 * fastest("/angularVelocity")}
+            "/torque/": 8 * math.pi * mu * a**3 * spin, "/angularVelocity": spin}
 
 
 def strained(run):
