@@ -53,12 +53,21 @@ static functionObject& inner(functionObject& object)
       : object;
 }
 
-//- The clock's word that a state is written at its time
-struct writeTimes
+//- What the clock says of a step, to be set
+struct clockState
 :
     public TimeState
 {
-    static void set(TimeState& time) { time.*(&writeTimes::writeTime_) = true; }
+    //- Is a state written after it?
+    static bool& writes(TimeState& time)
+    {
+        return time.*(&clockState::writeTime_);
+    }
+
+    static label& index(TimeState& time)
+    {
+        return time.*(&clockState::timeIndex_);
+    }
 };
 
 //- What OpenFOAM wants to know of a mesh in which nothing is as it was
@@ -84,7 +93,10 @@ static autoPtr<mapPolyMesh> newMesh(const polyMesh& mesh)
 } // End namespace Foam
 
 
-Foam::fsbi::functionRunner::functionRunner(Time& time, const scene& scene)
+Foam::fsbi::functionRunner::functionRunner
+(
+    Time& time, const scene& scene, const bool restarted
+)
 :
     time_(time),
     scene_(scene),
@@ -105,6 +117,10 @@ Foam::fsbi::functionRunner::functionRunner(Time& time, const scene& scene)
             << " regions are " << flatOutput(time_.sortedNames<fvMesh>())
             << ": each function object needs an entry 'region'"
             << exit(FatalIOError);
+    }
+    if (restarted)
+    {
+        readMeans();
     }
     list.off();
 }
@@ -144,6 +160,23 @@ void Foam::fsbi::functionRunner::check() const
                 << " a new mesh" << exit(FatalIOError);
         }
     }
+}
+
+
+void Foam::fsbi::functionRunner::readMeans()
+{
+    functionObjectList& list = time_.functionObjects();
+    // in a step that is none it reads, and adds nothing
+    const label index = time_.timeIndex();
+    clockState::index(time_) = -1;
+    forAll(list, i)
+    {
+        if (inner(list[i]).type() == "fieldAverage")
+        {
+            inner(list[i]).execute();
+        }
+    }
+    clockState::index(time_) = index;
 }
 
 
@@ -227,7 +260,7 @@ void Foam::fsbi::functionRunner::execute(const bool saved)
     {
         // also where the run ends, or Ctrl-C ended it, between two of those that
         // the clock knows: means must go on from there
-        writeTimes::set(time_);
+        clockState::writes(time_) = true;
     }
     list.on();
     tellOfMeshes();

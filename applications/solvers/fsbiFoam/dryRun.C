@@ -53,13 +53,16 @@ public:
 } // End anonymous namespace
 
 
-void Foam::fsbi::dryRun::tryFunctions(const scene& scene)
+void Foam::fsbi::dryRun::tryFunctions
+(
+    const scene& scene, const dictionary& saved
+)
 {
     // they open their files when they are made
     static const scratchFolder scratch;
     const word usual(functionObject::outputPrefix);
     functionObject::outputPrefix = scratch.from(time_.globalPath());
-    functionRunner(time_, scene);
+    functionRunner(time_, scene, saved.size());
     time_.functionObjects().clear();
     functionObject::outputPrefix = usual;
 }
@@ -149,7 +152,7 @@ void Foam::fsbi::dryRun::run(const dictionary& saved)
     }
     tellScene(scene);
     tellDefaults();
-    tryFunctions(scene);
+    tryFunctions(scene, saved);
     Info<< nl << "Steps tried" << endl;
     while (steps_ < stepsTried && control_.next(scene))
     {

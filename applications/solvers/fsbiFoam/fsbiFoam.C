@@ -87,7 +87,7 @@ int main(int argc, char *argv[])
     {
         steps.restore(saved.subDict("stepControl"));
     }
-    fsbi::functionRunner functions(runTime, scene);
+    fsbi::functionRunner functions(runTime, scene, restarted);
     if (!restarted)
     {
         states.write(scene, steps);
