@@ -177,7 +177,7 @@ def table(known, mutants):
         done = found["done"]
         noticed = ", ".join(sorted(test.split()[0] for test in done if done[test]))
         yield ""
-        yield f"All {len(done)} tests on `{name}`: it is noticed by {noticed or 'nobody'}."
+        yield f"{len(done)} tests on `{name}`: it is noticed by {noticed or 'nobody'}."
 
 
 def write_table(known, mutants):
