@@ -22,8 +22,12 @@ public:
 
     scratchFolder()
     {
-        char name[] = "/tmp/fsbiFoam-dry-run-XXXXXX";
-        if (Foam::Pstream::master() && mkdtemp(name))
+        const Foam::string folder(Foam::getEnv("TMPDIR"));
+        std::string name
+        (
+            (folder.empty() ? "/tmp" : folder) + "/fsbiFoam-dry-run-XXXXXX"
+        );
+        if (Foam::Pstream::master() && mkdtemp(&name[0]))
         {
             path_ = name;
         }
