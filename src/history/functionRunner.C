@@ -126,6 +126,12 @@ Foam::fsbi::functionRunner::functionRunner
 }
 
 
+Foam::fsbi::functionRunner::~functionRunner()
+{
+    time_.functionObjects().clear();
+}
+
+
 void Foam::fsbi::functionRunner::check() const
 {
     const checkedDictionary controls(time_.controlDict());
