@@ -37,7 +37,7 @@ Foam::fsbi::fluidRegion::fluidRegion
     }
     setState();
     createOperators();
-    conditions_.evaluate(U_(), stokes_(), given_);      // mistakes show now
+    conditions_.evaluate(U_(), stokes(), given_);      // mistakes show now
 }
 
 
@@ -116,7 +116,7 @@ void Foam::fsbi::fluidRegion::setState()
 
 void Foam::fsbi::fluidRegion::linkBodies()
 {
-    const labelList& wall = stokes_->wallVertices();
+    const labelList& wall = stokes().wallVertices();
     bodyFaces_.setSize(mesh_.bodies().size());
     bodyVertices_.setSize(mesh_.bodies().size());
 
@@ -165,9 +165,9 @@ void Foam::fsbi::fluidRegion::createOperators()
             "gradients", stokesOperator::gradientSchemes.names(), "vertex"
         )
     ];
-    stokes_.reset
+    momentum_.reset
     (
-        new stokesOperator
+        new momentumEquation
         (
             mesh(), mu_, conditions_.velocityGiven(U_()), schemes
         )
@@ -182,7 +182,7 @@ void Foam::fsbi::fluidRegion::createSolver()
     solver_.clear();
     solver_ = fluidSolver::New
     (
-        mesh(), stokes_(), mesh().solutionDict().subOrEmptyDict("coupling")
+        mesh(), momentum_(), mesh().solutionDict().subOrEmptyDict("coupling")
     );
 }
 
@@ -227,7 +227,7 @@ bool Foam::fsbi::fluidRegion::follow(string& reason)
         {
             // what stands on the mesh that is about to go
             solver_.clear();
-            stokes_.clear();
+            momentum_.clear();
             U_.clear();
             p_.clear();
         }
@@ -235,7 +235,7 @@ bool Foam::fsbi::fluidRegion::follow(string& reason)
     auto timer = timings_.measure("assembly");
     if (outcome == fluidMesh::outcome::moved)
     {
-        stokes_->update();
+        momentum_->update();
     }
     else if (outcome == fluidMesh::outcome::remeshed)
     {
@@ -258,7 +258,7 @@ bool Foam::fsbi::fluidRegion::move(string& reason)
         }
     }
     auto timer = timings_.measure("assembly");
-    stokes_->update();
+    momentum_->update();
     return true;
 }
 
@@ -271,13 +271,7 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
 {
     auto timer = timings_.measure("solve");
     prepare(rows);
-    solverReport report
-    (
-        solver_->solve
-        (
-            given_, vectorField(mesh().nCells(), Zero), rows, x_, traction_
-        )
-    );
+    solverReport report(solver_->solve(given_, rows, x_, traction_));
 
     loads = bodyLoads(mesh(), rows, traction_);
     setFields(rows);
@@ -301,7 +295,7 @@ void Foam::fsbi::fluidRegion::prepare(UList<bodyRows>& rows)
         rows[b].faces = bodyFaces_[b];
         rows[b].vertices = bodyVertices_[b];
     }
-    conditions_.evaluate(U_(), stokes_(), given_);
+    conditions_.evaluate(U_(), stokes(), given_);
     if (loads_)
     {
         solver_->setLoads(*loads_);
@@ -330,8 +324,8 @@ void Foam::fsbi::fluidRegion::setFields(const UList<bodyRows>& rows)
         p[i] = x_[4*i + 3];
     }
 
-    const scalarField pb(stokes_->boundaryPressure());
-    const tensorField grad(stokes_->velocityGradients());
+    const scalarField pb(stokes().boundaryPressure());
+    const tensorField grad(stokes().velocityGradients());
     forAll(U.boundaryField(), patchi)
     {
         fvPatchVectorField& Up = U.boundaryFieldRef()[patchi];

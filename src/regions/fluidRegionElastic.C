@@ -19,7 +19,7 @@ Foam::fsbi::surfaceSide Foam::fsbi::fluidRegion::sideOf(const label b) const
         )
     );
     // points as positions in the list of wall vertices
-    const labelList& wall = stokes_->wallVertices();
+    const labelList& wall = stokes().wallVertices();
     labelList position(mesh().nPoints(), -1);
     forAll(wall, i)
     {
@@ -78,10 +78,7 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
             given_
         );
     }
-    return solver_->solve
-    (
-        given_, vectorField(mesh().nCells(), Zero), rows, x_, traction_
-    );
+    return solver_->solve(given_, rows, x_, traction_);
 }
 
 
@@ -97,8 +94,7 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::correct
     linkSurfaces(elastic);
     return solver_->correct
     (
-        given_, vectorField(mesh().nCells(), Zero), rows, elastic, first, x_,
-        traction_
+        given_, rows, elastic, first, x_, traction_
     );
 }
 

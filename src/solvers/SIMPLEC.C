@@ -14,15 +14,16 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Foam::fsbi::SIMPLEC::SIMPLEC
 (
     const fvMesh& mesh,
-    const stokesOperator& stokes,
+    const momentumEquation& momentum,
     const dictionary& dict
 )
 :
     mesh_(mesh),
-    stokes_(stokes),
+    equation_(momentum),
+    stokes_(momentum.viscous()),
     closed_(true),
     residual_(4*mesh.nCells()),
-    traction_(stokes.nBoundaryFaces(), Zero)
+    traction_(stokes_.nBoundaryFaces(), Zero)
 {
     const checkedDictionary entries(dict);
     knowOthers(entries);
@@ -37,7 +38,7 @@ Foam::fsbi::SIMPLEC::SIMPLEC
             << "Entry 'relaxation' must be below 1, but is " << alpha_
             << exit(FatalIOError);
     }
-    closed_ = stokes.closed();
+    closed_ = stokes_.closed();
 }
 
 
@@ -258,7 +259,6 @@ void Foam::fsbi::SIMPLEC::relaxBodies
 void Foam::fsbi::SIMPLEC::evaluate
 (
     const boundaryValues& given,
-    const vectorField& force,
     const UList<bodyRows>& bodies,
     const UList<sixVector>& v,
     const scalarList& x
@@ -266,14 +266,7 @@ void Foam::fsbi::SIMPLEC::evaluate
 {
     values_ = given;
     setBodyVelocities(stokes_, bodies, v, values_);
-    stokes_.residual(x.cdata(), values_, residual_.data(), traction_);
-    forAll(force, i)
-    {
-        for (label k = 0; k < 3; ++k)
-        {
-            residual_[4*i + k] -= force[i][k];
-        }
-    }
+    equation_.residual(x.cdata(), values_, residual_.data(), traction_);
 }
 
 
@@ -310,7 +303,6 @@ Foam::scalar Foam::fsbi::SIMPLEC::norm
 Foam::fsbi::solverReport Foam::fsbi::SIMPLEC::solve
 (
     const boundaryValues& given,
-    const vectorField& force,
     UList<bodyRows>& bodies,
     scalarList& x,
     vectorField& traction
@@ -324,7 +316,7 @@ Foam::fsbi::solverReport Foam::fsbi::SIMPLEC::solve
     createMatrices();
     scales_ = rowScales(stokes_, bodies);
     List<sixVector> v(bodies.size(), sixVector(scalar(0)));
-    evaluate(given, force, bodies, v, scalarList(x.size(), Zero));
+    evaluate(given, bodies, v, scalarList(x.size(), Zero));
     const scalar atRest = max(norm(bodies, v), VSMALL);
     forAll(v, b)
     {
@@ -334,7 +326,7 @@ Foam::fsbi::solverReport Foam::fsbi::SIMPLEC::solve
     solverReport report;
     for (; report.iterations <= maxIterations_; ++report.iterations)
     {
-        evaluate(given, force, bodies, v, x);
+        evaluate(given, bodies, v, x);
         report.residual = norm(bodies, v)/atRest;
         report.converged = report.residual < tolerance_;
         if (report.converged || !(report.residual < 1e6))
@@ -343,7 +335,7 @@ Foam::fsbi::solverReport Foam::fsbi::SIMPLEC::solve
         }
         relaxBodies(bodies, v);
         correctVelocity(x);
-        evaluate(given, force, bodies, v, x);
+        evaluate(given, bodies, v, x);
         correctPressure(x);
     }
 

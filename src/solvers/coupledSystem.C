@@ -33,13 +33,14 @@ static const scalar springsChange = 1.5;
 Foam::fsbi::coupledSystem::coupledSystem
 (
     const fvMesh& mesh,
-    const stokesOperator& stokes,
+    const momentumEquation& momentum,
     const dictionary& dict
 )
 :
     mesh_(mesh),
-    stokes_(stokes),
-    traction_(stokes.nBoundaryFaces(), Zero),
+    momentum_(momentum),
+    stokes_(momentum.viscous()),
+    traction_(stokes_.nBoundaryFaces(), Zero),
     freshRate_(0)
 {
     const checkedDictionary entries(dict);
@@ -48,7 +49,7 @@ Foam::fsbi::coupledSystem::coupledSystem
     maxIterations_ = entries.count("maxIterations", 300);
     entries.finish();
 
-    closed_ = stokes.closed();
+    closed_ = stokes_.closed();
 }
 
 
@@ -85,13 +86,11 @@ void Foam::fsbi::coupledSystem::createKrylov()
 void Foam::fsbi::coupledSystem::set
 (
     const boundaryValues& given,
-    const vectorField& force,
     UList<bodyRows>& bodies,
     const UList<elasticRows*>& elastic
 )
 {
     given_ = &given;
-    force_ = &force;
     bodies_ = &bodies;
     elastic_ = elastic;
     values_ = given;
@@ -174,13 +173,12 @@ void Foam::fsbi::coupledSystem::watch
 Foam::fsbi::solverReport Foam::fsbi::coupledSystem::solve
 (
     const boundaryValues& given,
-    const vectorField& force,
     UList<bodyRows>& bodies,
     scalarList& x,
     vectorField& traction
 )
 {
-    set(given, force, bodies, UList<elasticRows*>());
+    set(given, bodies, UList<elasticRows*>());
 
     // right-hand side: minus the residual at rest
     scalarList rhs(result_.size());
@@ -245,7 +243,6 @@ bool Foam::fsbi::coupledSystem::advance
 Foam::fsbi::solverReport Foam::fsbi::coupledSystem::correct
 (
     const boundaryValues& given,
-    const vectorField& force,
     UList<bodyRows>& bodies,
     const UList<elasticRows*>& elastic,
     const bool first,
@@ -253,7 +250,7 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSystem::correct
     vectorField& traction
 )
 {
-    set(given, force, bodies, elastic);
+    set(given, bodies, elastic);
     scalarList unknown(packed(x));
     if (first)
     {

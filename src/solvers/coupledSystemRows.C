@@ -16,17 +16,9 @@ void Foam::fsbi::coupledSystem::fluidResidual
     const bool homogeneous
 ) const
 {
-    stokes_.residual(x, values_, r, traction_);
-    if (!homogeneous)
-    {
-        forAll(*force_, i)
-        {
-            for (label k = 0; k < 3; ++k)
-            {
-                r[4*i + k] -= (*force_)[i][k];
-            }
-        }
-    }
+    homogeneous
+      ? momentum_.applyJacobian(x, values_, r, traction_)
+      : momentum_.residual(x, values_, r, traction_);
 }
 
 

@@ -9,7 +9,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Foam::autoPtr<Foam::fsbi::fluidSolver> Foam::fsbi::fluidSolver::New
 (
     const fvMesh& mesh,
-    const stokesOperator& stokes,
+    const momentumEquation& momentum,
     const dictionary& dict
 )
 {
@@ -22,9 +22,9 @@ Foam::autoPtr<Foam::fsbi::fluidSolver> Foam::fsbi::fluidSolver::New
     );
     if (method == "SIMPLEC")
     {
-        return autoPtr<fluidSolver>(new SIMPLEC(mesh, stokes, dict));
+        return autoPtr<fluidSolver>(new SIMPLEC(mesh, momentum, dict));
     }
-    return autoPtr<fluidSolver>(new coupledSystem(mesh, stokes, dict));
+    return autoPtr<fluidSolver>(new coupledSystem(mesh, momentum, dict));
 }
 
 
@@ -56,7 +56,6 @@ void Foam::fsbi::fluidSolver::setLoads(const loads& l)
 Foam::fsbi::solverReport Foam::fsbi::fluidSolver::correct
 (
     const boundaryValues&,
-    const vectorField&,
     UList<bodyRows>&,
     const UList<elasticRows*>&,
     const bool,
