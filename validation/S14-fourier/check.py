@@ -1,6 +1,6 @@
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hold the analysis against sampled waves and bestFactors.py, and the solver
+"""Hold the analysis against sampled waves and best_factors.py, and the solver
 against the analysis; write results.csv and draw figures 3.4-3.8, 3.10 of Gaskin 2018."""
 
 import csv
@@ -19,7 +19,7 @@ results = Results("S14")
 
 
 def references():
-    """What bestFactors.py found."""
+    """What best_factors.py found."""
     with open("runs/references.csv", newline="") as file:
         return {row["quantity"]: float(row["value"]) for row in csv.DictReader(file)}
 
@@ -75,7 +75,7 @@ def check_waves():
 
 
 def check_schedules():
-    # bound: what bestFactors.py has converged to itself, 3e-9 (error_gain_8: half
+    # bound: what best_factors.py has converged to itself, 3e-9 (error_gain_8: half
     # as many samples of kappa), a few times over
     bound = 1e-8
     own = references()

@@ -40,7 +40,7 @@ def loop(centre, axis, x):
         np.cross(dl, r) / np.linalg.norm(r, axis=1)[:, None]**3, axis=0)
 
 
-def biotSavart(table, volume):
+def biot_savart(table, volume):
     """Force on the soft sphere, in pg um/us2, of the currents in a table."""
     alpha = volume / MU0 * 3 * CHI / (3 + CHI)
     steps = 1e-5 * np.eye(3)
@@ -113,14 +113,14 @@ volume *= MU0 * (3 + CHI) / (3 * CHI)
 wanted = vectors(table, "wantedF")
 # bound: gradients here are central differences over a thousandth of the coils' radius,
 # wrong by about its square, 1e-6; ten times that
-results.add("path_load_by_Biot_Savart_abs", error(biotSavart(table, volume), wanted), 0, 1e-5)
+results.add("path_load_by_Biot_Savart_abs", error(biot_savart(table, volume), wanted), 0, 1e-5)
 
 # tables are linear between their times; where the fields switch they may do nothing
 apart = np.diff(table["time"])
 halfway = {k: (v[1:] + v[:-1])[apart > 1e-3 * apart.max()] / 2 for k, v in table.items()}
 # bound: fsbiFieldDesign's tolerance of a load, by which it adds times
 results.add("path_load_between_times_abs",
-            error(biotSavart(halfway, volume), vectors(halfway, "wantedF")), 0, 1e-3)
+            error(biot_savart(halfway, volume), vectors(halfway, "wantedF")), 0, 1e-3)
 
 if not quick:
     figure, axes = plots.plt.subplots()

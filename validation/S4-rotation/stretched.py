@@ -34,7 +34,7 @@ def second_stress(F):
     return LAMBDA * np.trace(strain) * np.eye(3) + 2 * MU * strain
 
 
-def Cauchy(formulation, F, before):
+def cauchy(formulation, F, before):
     """On the body at F, where the step began at `before`."""
     step = F @ np.linalg.inv(before)
     if formulation == "slowProcess":
@@ -47,7 +47,7 @@ def Cauchy(formulation, F, before):
 
 def stresses(formulation):
     """At times 1, 2, ..."""
-    return np.array([Cauchy(formulation, F, before)
+    return np.array([cauchy(formulation, F, before)
                      for before, F in zip(states(), states()[1:])])
 
 

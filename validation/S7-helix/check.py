@@ -10,17 +10,17 @@ import sys
 
 import numpy as np
 
-from fsbi import plots, resistiveForce
+from fsbi import plots, resistive_force
 from fsbi.case import Case, reference
 from fsbi.results import Results
-from reference import boundaryIntegral
+from reference import boundary_integral
 
 quick = sys.argv[1] == "true"
 results = Results("S7")
 EXACT = {row["pitch"]: row for row in reference("reference/helix.csv")}
 TIGHT = EXACT[2]
 NAMES = ("a", "b", "c", "axis_held", "axial_only")
-a, b, _ = resistiveForce.helix(resistiveForce.Lighthill)
+a, b, _ = resistive_force.helix(resistive_force.lighthill)
 ABBOTT = -b / a
 TORQUE, SPIN, TURNS, FILAMENT = 2.03e-2, 6.2832e-5, 5, 0.1
 
@@ -56,14 +56,14 @@ def integrals():
     results.add("reference_uncertainty_abs", TIGHT["uncertainty"], 0, 5e-4)
     coarse = [row for row in reference("reference/convergence.csv")
               if (row["pitch"], row["around"]) == (2, 4)][0]
-    R, _ = boundaryIntegral.resistance(boundaryIntegral.Filament(), 4)
-    again = boundaryIntegral.measures(R)
+    R, _ = boundary_integral.resistance(boundary_integral.Filament(), 4)
+    again = boundary_integral.measures(R)
     # bound: digits of the file
     results.add("reference_made_again_abs",
                 max(abs(again[q] / coarse[q] - 1) for q in ("a", "b", "c")), 0, 1e-6)
     drags, torques, edges = [], [], (8, 12, 16)
     for around in edges:
-        R, _ = boundaryIntegral.resistance(boundaryIntegral.Filament(turns=0), around)
+        R, _ = boundary_integral.resistance(boundary_integral.Filament(turns=0), around)
         drags.append(R[1, 1] / (6 * np.pi * FILAMENT) - 1)
         torques.append(abs((R[2, 2] - R[0, 0]) / (8 * np.pi * FILAMENT**3) - 1))
     # bound: Stokes's drag, to a fifth of the uncertainty asked for
@@ -187,7 +187,7 @@ def starts():
 
 
 def draw_literature(left, right, t):
-    a, b, c = resistiveForce.helix(resistiveForce.Lighthill)
+    a, b, c = resistive_force.helix(resistive_force.lighthill)
     w = TORQUE / (c - b**2 / a) * (1 - np.exp(-t * (c - b**2 / a) / inertia()[1]))
     left.plot(t, 1e6 * ABBOTT * w, color=plots.COLOURS[1], ls="--",
               label="Abbott, with his viscous torque")
@@ -214,9 +214,9 @@ def pitches():
     p = np.linspace(1.3, 9, 200)
     for k, (axis, what) in enumerate(zip(axes, ("advance per angle −b/a (µm)",
                                                 "drag a (µm)", "coupling −b (µm²)"))):
-        for i, (law, label) in enumerate(((resistiveForce.Lighthill, "Abbott (Lighthill)"),
-                                          (resistiveForce.GrayHancock, "Gray and Hancock"))):
-            a, b, _ = np.array([resistiveForce.helix(law, pitch=x) for x in p]).T
+        for i, (law, label) in enumerate(((resistive_force.lighthill, "Abbott (Lighthill)"),
+                                          (resistive_force.gray_hancock, "Gray and Hancock"))):
+            a, b, _ = np.array([resistive_force.helix(law, pitch=x) for x in p]).T
             axis.plot(p, (-b / a, a, -b)[k], color=plots.COLOURS[i + 1], ls=("--", "-.")[i],
                       label=label)
         ref = [EXACT[x] for x in sorted(EXACT)]

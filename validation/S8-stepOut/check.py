@@ -69,16 +69,16 @@ class Run(Case):
 
 def follows(run):
     theory = HELD if run.kind == "held" else FREE
-    stepOut = run.speed / np.sin(run.lag[-6:].mean())
+    step_out = run.speed / np.sin(run.lag[-6:].mean())
     # bound: second order with 24 steps a turn, (2 pi/24)^2/12 = 0.6 %, and 0.4 % since
     # a new mesh has another resistance
-    results.add(f"step_out_{run.name}", stepOut / theory, 1, 0.01, **run.cost)
+    results.add(f"step_out_{run.name}", step_out / theory, 1, 0.01, **run.cost)
     if not run.kind:
         # bound: the project's case table, 3 %
-        results.add(f"step_out_{run.name}_axial_law", stepOut / AXIAL, 1, 0.03)
+        results.add(f"step_out_{run.name}_axial_law", step_out / AXIAL, 1, 0.03)
 
 
-def stepsOut(run):
+def steps_out(run):
     mean = run.mean()
     # bound: 1 % of the speed of stepping out, 1.3 times as much here at 1.25 times it,
     # and 1 % of the field's for the time in which it slips
@@ -92,7 +92,7 @@ def stepsOut(run):
                 np.sqrt(run.speed**2 - (run.speed - mean)**2) / AXIAL, 1, 0.03)
 
 
-def modelOf(run):
+def model_of(run):
     angle = np.radians(75 if run.kind == "tilted" else 90)
     moment = np.array([np.sin(angle), 0, np.cos(angle)])
     lag = {"w0.97": 1.2}.get(run.name, 0 if run.speed < FREE else np.pi / 2)
@@ -106,12 +106,12 @@ results.add("runs_with_wrong_slips_abs", len(wrong), 0, 0.5)
 ways = {}
 for run in runs:
     if run.kind != "tilted":
-        (follows if run.speed < FREE else stepsOut)(run)
+        (follows if run.speed < FREE else steps_out)(run)
         advance = N[2, 3] / N[3, 3] if run.kind else M[2, 5] / M[5, 5]
         # bound: as for stepping out, a ratio of two resistances of a new mesh
         results.add(f"advance_{run.name}", run.advance() / advance, 1, 0.01)
     if run.kind != "held":
-        axis, moment = modelOf(run)
+        axis, moment = model_of(run)
         ways[run.name] = (run, axis)
         # bound: mobilities off by 3 % (case table) of a cone of 4 degrees, and its phase by
         # 0.6 % of a turn in each of two turns: 0.12 and 0.28 degrees

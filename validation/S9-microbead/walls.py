@@ -7,7 +7,7 @@ import numpy as np
 
 from fsbi.case import cases
 from fsbi.results import Results
-from wallForce import wall_force
+from wall_force import wall_force
 
 RADIUS = 4
 EDGES = np.array([1.2, 0.8, 0.53])      # um, of runs/walls1 ...

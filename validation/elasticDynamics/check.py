@@ -166,7 +166,7 @@ def draw_energy():
 
 # A cantilever
 
-def Timoshenko(length=10, thickness=1, share=5 / 6):
+def timoshenko(length=10, thickness=1, share=5 / 6):
     """First angular frequency; E = rho = 1, nu = 0, width 1."""
     area, inertia = thickness, thickness**3 / 12
     shear = share * area / 2
@@ -213,7 +213,7 @@ def true_frequency(run):
 
 
 def frequency():
-    theory, bending = Timoshenko()
+    theory, bending = timoshenko()
     print(f"    Timoshenko {theory:.7f}, Euler and Bernoulli {bending:.7f}"
           f" ({100 * (bending / theory - 1):.2f} %)")
     across, errors, values = [], [], []

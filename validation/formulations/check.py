@@ -30,7 +30,7 @@ def closed_forms():
     for row in reference("reference/uniaxial.csv"):
         F = paths.stretch(row["stretch"])
         worst = max(worst, abs(paths.stress(F)[0, 0] - row["P_over_E"]),
-                    abs(paths.Cauchy(F)[0, 0] - row["cauchy_over_E"]))
+                    abs(paths.cauchy(F)[0, 0] - row["cauchy_over_E"]))
     for row in reference("reference/simpleShear.csv"):
         F = np.eye(3) + row["k"] * np.outer([1, 0, 0], [0, 1, 0])
         for i, j in ((0, 0), (0, 1), (1, 0), (1, 1), (2, 2)):
@@ -46,14 +46,14 @@ class Homogeneous(Case):
             os.path.basename(folder).split(".")
         name = self.path.rstrip("0123456789")
         self.states = paths.path(name, *filter(None, [self.path[len(name):]]))
-        self.scale = max(np.linalg.norm(paths.Cauchy(F)) for F in self.states)
+        self.scale = max(np.linalg.norm(paths.cauchy(F)) for F in self.states)
 
     def stress_error(self):
         """Largest of all cells and steps, over the path's largest stress."""
         worst = 0
         for time, F in list(enumerate(self.states))[1:]:
             sigma = fields.internal(f"{self.folder}/{time}/beam/sigma")
-            difference = symmetric(sigma) - paths.Cauchy(F)
+            difference = symmetric(sigma) - paths.cauchy(F)
             worst = max(worst, np.linalg.norm(difference, axis=(1, 2)).max())
         return worst / self.scale
 

@@ -57,7 +57,7 @@ def stress(F):
     return F @ second_stress(F)
 
 
-def Cauchy(F):
+def cauchy(F):
     return stress(F) @ F.T / np.linalg.det(F)
 
 

@@ -19,7 +19,7 @@ import outcome
 import theory
 from fsbi import errors
 from fsbi.history import History
-from givenMesh import GivenBeam, sheared, shaken
+from given_mesh import GivenBeam, sheared, shaken
 from scene import Body, Flow, Scene
 
 RATE = 5e-5                     # 1/us, of shear
@@ -28,9 +28,12 @@ QUICK = []
 
 
 def case(shows, quick=False, stops=None):
-    """shows: what it must show, for the README; stops: words of the message."""
+    """shows: what it must show, for the README; stops: words of the message. A case
+    has the name of its function, in the form of the dictionaries' words: longSteps of
+    long_steps."""
     def add(make):
-        name = make.__name__
+        first, *others = make.__name__.split("_")
+        name = first + "".join(word.capitalize() for word in others)
         CASES[name] = (make, shows, stops)
         if quick:
             QUICK.append(name)
@@ -88,7 +91,7 @@ for power in (-3, -2, -1, 1, 2, 3):
 
 @case("a tethered body at mu/(G dt) = 1e6, softer than any known to work: runs or says why",
       stops="do not agree|reached a residual|turned inside out|volume")
-def softerThanAny():
+def softer_than_any():
     body = soft(0.02, nu=0.3, tether={})
     return one(Flow("shear", RATE), body, step=0.0004, controls=dict(minDeltaT=0.0001)), no_more
 
@@ -177,7 +180,7 @@ def heavy():
 
 
 @case("the same in one step of a thousand relaxation times: the speed of Stokes' drag")
-def heavyLongSteps():
+def heavy_long_steps():
     def more(history):
         v = history["bodies/bead/velocity"]["x"]
         # bound: walls only slow it down, and by less than a shell of 20 inside them
@@ -221,7 +224,7 @@ def pair001():
 
 @case("the same gap, triangles a tenth of the radius: the speed of lubrication theory, or "
       "that it is not resolved", stops="near as")
-def gap001Fine():
+def gap001_fine():
     flow = Flow("rest", floor=True)
     body = Body("bead", radius=3, size=0.3, overdamped=True, position=(0, -20 + 3.03, 0),
                 force=(0, -0.01, 0))
@@ -255,7 +258,7 @@ def touching():
 
 
 @case("20 bodies, every second elastic, in a shear flow: the laws")
-def twentyBodies():
+def twenty_bodies():
     random = np.random.default_rng(5)
     scene = Scene(Flow("shear", RATE, half=(24, 24, 24)), step=0.05 / RATE, steps=4)
     places = [np.array(p, float) * 11 for p in np.ndindex(3, 3, 3)]
@@ -277,7 +280,7 @@ SPIN = (3 / 20)**3 + 0.0222 * (0.4 / 0.28)**2
 
 @case("a sphere in steps of 10 shear times: turns at half the shear rate, and that is told",
       quick=True)
-def longSteps():
+def long_steps():
     scene = one(Flow("shear", RATE, half=(20, 20, 20)), bead(), step=10 / RATE)
 
     def more(history):
@@ -299,7 +302,7 @@ def turned_too_fast(step):
 
 @case("an elastic sphere in steps of a shear time, 20 times the good ones, and of half of it: "
       "its shape, to the part by which BDF2 turns it too fast; the error falls with the square")
-def longElasticSteps():
+def long_elastic_steps():
     def scene(step, steps):
         return one(Flow("shear", RATE), soft(0.05, nu=0.49), step=step / RATE, steps=steps)
 
@@ -322,13 +325,13 @@ def longElasticSteps():
 
 @case("a sphere pushed at a wall, 100 times too far in a step: never in it; it may stop",
       stops="crosses the boundary|non-orthogonality|volume|overlap")
-def longStepsAtWall():
+def long_steps_at_wall():
     body = bead(position=(0, -12, 0), force=(0, -0.5, 0))
     return one(Flow("rest", floor=True), body, step=10000, steps=3), no_more
 
 
 @case("steps of 1e-12 of a shear time: the velocity of ordinary ones")
-def stepsOfNothing():
+def steps_of_nothing():
     def more(history):
         w = history["bodies/bead/angularVelocity"]["z"]
         return [("spin over half the rate, off 1", np.abs(-w / (RATE / 2) - 1).max(), "<", SPIN)]
@@ -339,7 +342,7 @@ def stepsOfNothing():
 
 @case("a linearElastic body that the flow turns by more than a third of a radian: says that "
       "the law is not for it", quick=True)
-def linearTurned():
+def linear_turned():
     def more(history):
         said = outcome.read("runs/linearTurned")
         return [("said", "linearElastic is for strains and rotations" in said, ">", 0.5)]
@@ -350,7 +353,7 @@ def linearTurned():
 # Flows and loads of any size
 
 @case("a flow 1e12 times as fast, in steps as much shorter: the same path and shape", quick=True)
-def hugeFlow():
+def huge_flow():
     def at(rate):
         scene = Scene(Flow("shear", rate), step=0.1 / rate)
         scene.add(soft(0.1, rate=rate))
@@ -370,7 +373,7 @@ def hugeFlow():
 
 
 @case("no flow, no loads: nothing moves")
-def zeroFlow():
+def zero_flow():
     scene = Scene(Flow("rest"), step=1e4)
     scene.add(bead(position=(-7, 0, 0)))
     scene.add(soft(0.1, position=(6, 0, 0)))
@@ -384,7 +387,7 @@ def zeroFlow():
 
 
 @case("a magnet in a field that would turn it in 1e-6 of a step: lies along it, energy only lost", quick=True)
-def hugeTorque():
+def huge_torque():
     effects = dict(magnetics=dict(
         fields=dict(main=dict(type="uniform", B=(10, 0, 0))),
         bodies=dict(bead=dict(type="permanent", direction=(1, 0, 0), magnetisation=1e6))))
@@ -414,7 +417,7 @@ def remeshed():
 
 
 @case("a helix held in place turns by 4 000 degrees in steps of 57: its torque stays")
-def spinningHelix():
+def spinning_helix():
     spin = 1e-3
     body = Body("helix", "helix", radius=2, pitch=4, filamentRadius=0.5, turns=1.5, size=0.4,
                 overdamped=True, constraints=dict(velocity=(0, 0, 0),
@@ -430,7 +433,7 @@ def spinningHelix():
 
 
 @case("bonds of 2 mN/m, formed and broken at random, between an elastic body and a driven bead")
-def stiffBonds():
+def stiff_bonds():
     scene = Scene(Flow("shear", RATE), step=100.0, steps=8)
     scene.add(soft(0.1, nu=0.45, position=(0, -4.2, 0)))
     scene.add(bead(position=(0, 3.2, 0), force=(0, -0.005, 0)))
@@ -468,22 +471,22 @@ def given(move, bound, name, told):
 
 
 @case("a given mesh, its points moved by up to 0.4 of the edge: theory to 1 %", quick=True)
-def givenShaken():
+def given_shaken():
     return given(shaken(0.4), 0.01, "givenShaken", False)
 
 
 @case("by up to 0.6, faces through their neighbours, non-orthogonality above 90 degrees: told")
-def givenCrossed():
+def given_crossed():
     return given(shaken(0.6), 0.05, "givenCrossed", True)
 
 
 @case("layers sheared to a non-orthogonality of 80 degrees: told; off by less than 10 %")
-def givenSheared():
+def given_sheared():
     return given(sheared(0.6), 0.1, "givenSheared", True)
 
 
 @case("a given mesh with cells inside out: refused", quick=True, stops="volume .*inside out")
-def givenInsideOut():
+def given_inside_out():
     return GivenBeam(shaken(0.8)), no_more
 
 

@@ -15,7 +15,7 @@ import re
 import sys
 import time
 
-import brokenTree
+import broken_tree
 import mutant
 from fsbi.results import Results
 
@@ -32,7 +32,7 @@ def fingerprint(m):
     places = tuple([m.file] + [
         f"{kind}/{test}/" for test in m.tests for kind in ("applications/test", "validation")])
     digest = hashlib.sha1(m.text.encode())
-    for name in brokenTree.sources(ROOT):
+    for name in broken_tree.sources(ROOT):
         if name.startswith(places) and name.endswith(SOURCES):
             with open(os.path.join(ROOT, name), "rb") as file:
                 digest.update(name.encode() + file.read())
@@ -212,7 +212,7 @@ def main():
             sys.exit(f"there is no mutant {name}; there are {', '.join(every)}")
     os.makedirs(SCRATCH, exist_ok=True)
     form = "quick" if options.quick else "whole" if options.whole else "each"
-    tree = brokenTree.BrokenTree(ROOT, os.path.join(SCRATCH, form))
+    tree = broken_tree.BrokenTree(ROOT, os.path.join(SCRATCH, form))
     known = load()
     if options.quick:
         known = {"mutants": {}, "whole": {}}

@@ -48,7 +48,7 @@ def draw(picture, ladders, error, title):
            title=f"Flexure of a beam, L/h 8: {title}")
 
 
-def overCells(picture, ladders, quantity, ylabel, **axes):
+def over_cells(picture, ladders, quantity, ylabel, **axes):
     curves(picture, [(name, [r["cells"] for r in ladder],
                       [r[quantity] for r in ladder])
                      for name, ladder in ladders.items()],
@@ -78,9 +78,9 @@ def meshes(results):
         draw("displacementAgainstSeconds.png", ladders, "displacementError",
              "meshes")
         draw("stressAgainstSeconds.png", ladders, "stressError", "meshes")
-        overCells("iterations.png", ladders, "krylov", "Krylov iterations",
+        over_cells("iterations.png", ladders, "krylov", "Krylov iterations",
                   xlog=True)
-        overCells("memory.png", ladders, "megabytes",
+        over_cells("memory.png", ladders, "megabytes",
                   "most memory of the process (MB)")
 
 

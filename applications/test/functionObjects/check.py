@@ -12,7 +12,7 @@ import numpy as np
 import vtk
 
 sys.path.insert(0, os.path.join(os.environ["FSBI_DIR"], "applications/test/include"))
-import vtkCase
+import vtk_case
 
 STEPS = 9
 # bound: six digits of the output, single precision of the reader
@@ -52,7 +52,7 @@ def probed(case, name, field):
 
 def saved(folder):
     """Every saved time after the first, with its regions."""
-    case = vtkCase.Case(folder)
+    case = vtk_case.Case(folder)
     for time in case.times:
         if time > 0:
             yield time, case.at(time)
@@ -79,12 +79,12 @@ def lines(case):
         fail(f"not one line a step: {wrong}")
 
 
-def inCells(mesh, points, field):
+def in_cells(mesh, points, field):
     """Values of the cells that hold the points."""
     locator = vtk.vtkCellLocator()
     locator.SetDataSet(mesh)
     locator.BuildLocator()
-    return vtkCase.cells(mesh, field)[[locator.FindCell(p) for p in points]]
+    return vtk_case.cells(mesh, field)[[locator.FindCell(p) for p in points]]
 
 
 def probes(case, name="points", places=((20.3, 31.7, 104.2), (100.1, 90.7, 20.4),
@@ -93,7 +93,7 @@ def probes(case, name="points", places=((20.3, 31.7, 104.2), (100.1, 90.7, 20.4)
     for time, regions in saved(case):
         if time < table[0][0]:
             continue
-        u = inCells(regions["fluid"][0], places, "U")
+        u = in_cells(regions["fluid"][0], places, "U")
         near(f"U at {time:g}", at(table, time).reshape(-1, 3), u, 6e-3)
 
 
@@ -103,8 +103,8 @@ def late(case):
 
 def everywhere(region, field):
     mesh, patches = region
-    return np.concatenate([vtkCase.cells(mesh, field)]
-                          + [vtkCase.cells(p, field) for p in patches.values()])
+    return np.concatenate([vtk_case.cells(mesh, field)]
+                          + [vtk_case.cells(p, field) for p in patches.values()])
 
 
 def extremes(case, region="fluid", fields=("U", "p")):
@@ -125,7 +125,7 @@ def volume(case):
     table = output(case, "flow")
     for time, regions in saved(case):
         mesh = regions["fluid"][0]
-        flow = vtkCase.volumes(mesh) @ vtkCase.cells(mesh, "U")
+        flow = vtk_case.volumes(mesh) @ vtk_case.cells(mesh, "U")
         near(f"flow at {time:g}", at(table, time), flow, np.abs(flow).max())
 
 
@@ -133,10 +133,10 @@ def area(polygons):
     size = vtk.vtkCellSizeFilter()
     size.SetInputData(polygons)
     size.Update()
-    return vtkCase.cells(size.GetOutput(), "Area")
+    return vtk_case.cells(size.GetOutput(), "Area")
 
 
-def cutBy(mesh, origin, normal):
+def cut_by(mesh, origin, normal):
     plane = vtk.vtkPlane()
     plane.SetOrigin(origin)
     plane.SetNormal(normal)
@@ -152,12 +152,12 @@ def areas(case):
     for time, regions in saved(case):
         mesh, patches = regions["fluid"]
         A = area(patches["tumourCell"])
-        mean = A @ vtkCase.cells(patches["tumourCell"], "U") / A.sum()
+        mean = A @ vtk_case.cells(patches["tumourCell"], "U") / A.sum()
         values = at(skin, time)
         near(f"area of the body at {time:g}", values[0], A.sum(), A.sum())
         near(f"U on it at {time:g}", values[1:], mean, np.abs(mean).max())
-        cut = cutBy(mesh, (90, 60, 60), (1, 0, 0))
-        flow = area(cut) @ vtkCase.cells(cut, "U")
+        cut = cut_by(mesh, (90, 60, 60), (1, 0, 0))
+        flow = area(cut) @ vtk_case.cells(cut, "U")
         near(f"flow through x = 90 at {time:g}", at(through, time), flow,
              np.abs(flow).max(), 10 * DIGITS)
 
@@ -166,12 +166,12 @@ def cut(case):
     for time, regions in saved(case):
         values = np.loadtxt(f"{case}/postProcessing/cuts/{time:g}/U_middle.raw")
         mesh = regions["fluid"][0]
-        u = vtkCase.cells(mesh, "U")
+        u = vtk_case.cells(mesh, "U")
         own = np.array([np.argmin(np.abs(u - row).max(axis=1)) for row in values[:, 3:]])
         near(f"U on {len(own)} faces at {time:g}", values[:, 3:], u[own], 6e-3)
         # the middle of a face lies in the cell whose velocity it has: no
         # barycentric coordinate is below zero, but for the digits of the output
-        x = vtkCase.points(mesh)[vtkCase.corners(mesh)[own]]
+        x = vtk_case.points(mesh)[vtk_case.corners(mesh)[own]]
         ones = np.ones((len(own), 4, 1))
         inside = np.linalg.solve(
             np.moveaxis(np.concatenate([x, ones], axis=2), 1, 2),
@@ -189,7 +189,7 @@ def tracks(case):
         data = reader.GetOutput()
         if data.GetNumberOfLines() != 5:
             fail(f"{data.GetNumberOfLines()} tracks in {file}")
-        x = vtkCase.points(data)
+        x = vtk_case.points(data)
         ids = vtk.vtkIdList()
         for line in range(5):
             data.GetCellPoints(line, ids)
@@ -204,9 +204,9 @@ def tracks(case):
 def mean(case):
     for time, regions in saved(case):
         mesh = regions["fluid"][0]
-        x = vtkCase.centres(mesh)
+        x = vtk_case.centres(mesh)
         far = np.linalg.norm(x - 60, axis=1) > 6 * RADIUS
-        u, average = (vtkCase.cells(mesh, f)[far] for f in ("U", "UMean"))
+        u, average = (vtk_case.cells(mesh, f)[far] for f in ("U", "UMean"))
         # bound: what cells that move could see is what the sphere does there:
         # 2.5 (a/r)^2 a G/2 by the shear, 0.5 % of the fastest, and w (a/r)^2 a
         # by its spin, 0.5 %. Values of nearest cells alone would be off by their
@@ -228,9 +228,9 @@ def same(case, other):
 
 
 def continued(case, other):
-    a, b = (vtkCase.Case(c) for c in (case, other))
+    a, b = (vtk_case.Case(c) for c in (case, other))
     last = a.times[-1]
-    a, b = (vtkCase.cells(c.at(last)["fluid"][0], "UMean") for c in (a, b))
+    a, b = (vtk_case.cells(c.at(last)["fluid"][0], "UMean") for c in (a, b))
     near("mean at the end", b, a, 6e-3, 1e-6)
 
 
@@ -241,14 +241,14 @@ def elastic(case):
     for time, regions in saved(case):
         mesh, patches = regions["cell"]
         surface = patches["cell"]
-        moved = vtkCase.points(surface) + vtkCase.vertices(surface, "pointD")
-        a, b, c = np.moveaxis(moved[vtkCase.corners(surface)], 1, 0)
+        moved = vtk_case.points(surface) + vtk_case.vertices(surface, "pointD")
+        a, b, c = np.moveaxis(moved[vtk_case.corners(surface)], 1, 0)
         A = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()
         near(f"area in the fluid at {time:g}", at(around, time)[0], A, A)
-        x = vtkCase.points(mesh) + vtkCase.vertices(mesh, "pointD")
-        a, b, c, d = np.moveaxis(x[vtkCase.corners(mesh)], 1, 0)
+        x = vtk_case.points(mesh) + vtk_case.vertices(mesh, "pointD")
+        a, b, c, d = np.moveaxis(x[vtk_case.corners(mesh)], 1, 0)
         V = np.abs(np.einsum("ij,ij->i", b - a, np.cross(c - a, d - a))) / 6
-        D = vtkCase.cells(mesh, "D")
+        D = vtk_case.cells(mesh, "D")
         near(f"integral of D at {time:g}", at(volume, time), V @ D,
              V @ np.linalg.norm(D, axis=1))
 

@@ -4,7 +4,7 @@
 
     check.py regions CASE REGION ...    these have a mesh and fields, always
     check.py fields CASE [decomposed]   U on rigid bodies, D of elastic ones
-    check.py newMesh CASE               the fluid's mesh is not always the same
+    check.py new_mesh CASE               the fluid's mesh is not always the same
     check.py drawn CASE PICTURE         a picture of all regions, not empty
 """
 
@@ -16,7 +16,7 @@ import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
 sys.path.insert(0, os.path.join(os.environ["FSBI_DIR"], "applications/test/include"))
-import vtkCase
+import vtk_case
 from fsbi.history import History
 
 # bound: the reader has numbers in single precision, 6e-8 of the largest
@@ -44,7 +44,7 @@ def row(table, time):
 
 
 def regions(folder, *wanted):
-    case = vtkCase.Case(folder)
+    case = vtk_case.Case(folder)
     if not case.times:
         fail("no times")
     for time in case.times:
@@ -54,7 +54,7 @@ def regions(folder, *wanted):
                 fail(f"no region {name} at {time}; there are {sorted(found)}")
             mesh, patches = found[name]
             field = "U" if name == "fluid" else "D"
-            if len(vtkCase.cells(mesh, field)) != mesh.GetNumberOfCells() or not patches:
+            if len(vtk_case.cells(mesh, field)) != mesh.GetNumberOfCells() or not patches:
                 fail(f"{field} or patches missing in {name} at {time}")
     print(len(case.times), "times of", *wanted)
 
@@ -64,13 +64,13 @@ def rigid(history, name, patch, time):
     centres = history[f"bodies/{name}/position"]
     centre, velocity, spin = (row(history[f"bodies/{name}/{t}"], time)
                               for t in ("position", "velocity", "angularVelocity"))
-    x = vtkCase.centres(patch)
+    x = vtk_case.centres(patch)
     u = velocity + np.cross(spin, x - centre)
     scale = np.abs(u).max() + np.linalg.norm(spin) * np.abs(x).max()
     # the mesh is where the step set out to bring the body, which is corrected then
     steps = np.diff(np.vstack([centres.array[:, 1:], centre]), axis=0)
-    beside = np.mean(vtkCase.cells(patch, "U") - u, axis=0)
-    near(f"U of {name} at {time:g}", vtkCase.cells(patch, "U"), u + beside, scale)
+    beside = np.mean(vtk_case.cells(patch, "U") - u, axis=0)
+    near(f"U of {name} at {time:g}", vtk_case.cells(patch, "U"), u + beside, scale)
     # bound: a step's travel, times the spin
     most = np.linalg.norm(spin) * np.linalg.norm(steps, axis=1).max() + SINGLE * scale
     if np.linalg.norm(beside) > most:
@@ -80,22 +80,22 @@ def rigid(history, name, patch, time):
 def elastic(history, name, solid, patch, time):
     """Its centre, and its surface in the fluid's mesh."""
     mesh, own = solid
-    V = vtkCase.volumes(mesh)[:, None]
-    x = vtkCase.centres(mesh)
-    centre = np.sum(V * (x + vtkCase.cells(mesh, "D")), axis=0) / V.sum()
+    V = vtk_case.volumes(mesh)[:, None]
+    x = vtk_case.centres(mesh)
+    centre = np.sum(V * (x + vtk_case.cells(mesh, "D")), axis=0) / V.sum()
     size = np.abs(x).max()
     near(f"centre of {name} at {time:g}", centre,
          row(history[f"elasticBodies/{name}/centre"], time), size)
     if patch is not None:
         surface = own[name]
-        moved = vtkCase.points(surface) + vtkCase.vertices(surface, "pointD")
+        moved = vtk_case.points(surface) + vtk_case.vertices(surface, "pointD")
         tree = vtk.vtkPointSet.SafeDownCast(patch)
         there = np.array([tree.GetPoint(tree.FindPoint(p)) for p in moved])
         near(f"surface of {name} at {time:g}", there, moved, np.abs(moved).max())
 
 
 def fields(folder, kind=""):
-    case = vtkCase.Case(folder, kind == "decomposed")
+    case = vtk_case.Case(folder, kind == "decomposed")
     history = History(os.path.join(folder, "postProcessing/history.h5"))
     compared = 0
     # rolling bodies keep their shape while it rolls: their surface has another motion
@@ -118,8 +118,8 @@ def fields(folder, kind=""):
         fail("nothing was compared")
 
 
-def newMesh(folder):
-    case = vtkCase.Case(folder)
+def new_mesh(folder):
+    case = vtk_case.Case(folder)
     n = {case.at(t)["fluid"][0].GetNumberOfCells() for t in case.times}
     print("cells:", n)
     if len(n) < 2:
@@ -127,7 +127,7 @@ def newMesh(folder):
 
 
 def drawn(folder, picture):
-    case = vtkCase.Case(folder)
+    case = vtk_case.Case(folder)
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     for name, (mesh, patches) in case.at(case.times[-1]).items():
@@ -163,5 +163,5 @@ def drawn(folder, picture):
         fail("the picture is empty")
 
 
-COMMANDS = {"regions": regions, "fields": fields, "newMesh": newMesh, "drawn": drawn}
+COMMANDS = {"regions": regions, "fields": fields, "newMesh": new_mesh, "drawn": drawn}
 COMMANDS[sys.argv[1]](*sys.argv[2:])

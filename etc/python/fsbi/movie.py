@@ -19,7 +19,7 @@ import tempfile
 import numpy as np
 from PIL import Image
 
-from fsbi import cuts, picture, vtkFiles
+from fsbi import cuts, picture, vtk_files
 
 
 def options_of():
@@ -46,7 +46,7 @@ def same_colours(options, states):
 
 def same_tensions(options, states):
     if options.bonds and not options.bond_range:
-        bonds = [vtkFiles.saved_drawing(options.case, s.time, "bonds.vtk") for s in states]
+        bonds = [vtk_files.saved_drawing(options.case, s.time, "bonds.vtk") for s in states]
         options.bond_range = options.bond_scale * max(
             cuts.largest_tension(b) for b in bonds if b is not None)
 
@@ -98,14 +98,14 @@ def main():
         output = output[:-len("mp4")] + "gif"
         print(f"    there is no ffmpeg: {output} instead", file=sys.stderr)
     try:
-        with vtkFiles.VTKFiles(options.case, options.region, picture.fields_of(options),
+        with vtk_files.VTKFiles(options.case, options.region, picture.fields_of(options),
                                "all") as states, tempfile.TemporaryDirectory() as folder:
             if len(states) < 2:
-                raise vtkFiles.NoStates("one saved time only: lessen writeInterval")
+                raise vtk_files.NoStates("one saved time only: lessen writeInterval")
             same_colours(options, states)
             same_tensions(options, states)
             join(frames(options, states, folder), output, options.fps)
-    except (vtkFiles.NoStates, ValueError, subprocess.CalledProcessError) as error:
+    except (vtk_files.NoStates, ValueError, subprocess.CalledProcessError) as error:
         sys.exit(f"fsbiMovie: {error}")
     print(f"    {output}")
 

@@ -22,7 +22,7 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-from fsbi import cuts, vtkFiles
+from fsbi import cuts, vtk_files
 
 BODY_COLOURS = ["#E8A33D", "#5FB3D9", "#D98CB3", "#7FBF7B", "#C9C9C9"]
 
@@ -310,7 +310,7 @@ class Scene:
     def _bonds(self, target):
         from fsbi import plots
         o = self.options
-        bonds = vtkFiles.saved_drawing(o.case, self.time, "bonds.vtk")
+        bonds = vtk_files.saved_drawing(o.case, self.time, "bonds.vtk")
         if bonds is None:
             raise ValueError(f"there is no uniform/bonds.vtk in the state of time {self.time:g}")
         reach = o.bond_range or cuts.largest_tension(bonds) * o.bond_scale
@@ -324,7 +324,7 @@ class Scene:
         self.bars.append((f"tension of bonds ({o.bond_unit})", (-reach, reach), colours))
 
     def _field(self, target):
-        grid = vtkFiles.saved_drawing(self.options.case, self.time, "B.vtk")
+        grid = vtk_files.saved_drawing(self.options.case, self.time, "B.vtk")
         if grid is None:
             raise ValueError(f"there is no uniform/B.vtk in the state of time {self.time:g}")
         drawn, self.largest_B = cuts.arrows(grid, self.origin, self.normal, self.up,
@@ -359,11 +359,11 @@ def fields_of(options):
 def main():
     options = options_of("picture").parse_args()
     try:
-        with vtkFiles.VTKFiles(options.case, options.region, fields_of(options),
+        with vtk_files.VTKFiles(options.case, options.region, fields_of(options),
                                options.time) as states:
             pixels, bars, title = drawn(options, states[-1])
         page(trim(pixels, ink(pixels)), bars, options, title)
-    except (vtkFiles.NoStates, ValueError) as error:
+    except (vtk_files.NoStates, ValueError) as error:
         sys.exit(f"picture: {error}")
     print(f"    {options.output}")
 

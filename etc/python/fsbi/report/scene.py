@@ -15,7 +15,7 @@ import vtk
 from scipy.spatial import cKDTree
 from vtk.util.numpy_support import vtk_to_numpy
 
-from .. import vtkFiles
+from .. import vtk_files
 from .run import thinned
 
 MAX_TIMES = 300
@@ -56,12 +56,12 @@ def collect(case, run):
         if os.path.isfile(os.path.join(case, "constant", "fluid", "material")):
             return _in_fluid(case, run)
         return _alone(case, run)
-    except vtkFiles.NoStates as error:
+    except vtk_files.NoStates as error:
         return {"missing": str(error)}
 
 
 def _in_fluid(case, run):
-    with vtkFiles.VTKFiles(case, fields="none", times="all", internal=False) as states:
+    with vtk_files.VTKFiles(case, fields="none", times="all", internal=False) as states:
         names = [name for _, name in run.bodies() or _recorded(run)]
         names = [name for name in names if name in states[-1].patches()]
         if not names:
@@ -70,7 +70,7 @@ def _in_fluid(case, run):
         walls = [_walls(s, [surfaces[n][k] for n in names], names)
                  for k, s in enumerate(states)]
     times = [state.time for state in states]
-    bonds = [vtkFiles.saved_drawing(case, t, "bonds.vtk") for t in times]
+    bonds = [vtk_files.saved_drawing(case, t, "bonds.vtk") for t in times]
     kept = {n: _kept_shape(run, n, times, surfaces[n]) for n in names}
     if all(kept.values()):
         shown = _stepped(run, names, kept, times, bonds)
@@ -83,7 +83,7 @@ def _alone(case, run):
     """Elastic bodies without a flow: surfaces, moved by their displacement."""
     surfaces = {}
     for _, name in run.bodies():
-        with vtkFiles.VTKFiles(case, name, fields="D", times="all", internal=False) as states:
+        with vtk_files.VTKFiles(case, name, fields="D", times="all", internal=False) as states:
             times = [state.time for state in states]
             surfaces[name] = [_deformed(state) for state in states]
     if not surfaces:

@@ -3,7 +3,7 @@
 """Best relaxation factors of m Jacobi steps on linear elasticity, from nothing
 but the symbol of the equations: own code, that of src/fourier is not used.
 
-    bestFactors.py [references.csv]
+    best_factors.py [references.csv]
 
 The range of the eigenvalues kappa of D^-1 A over all waves, phi >= phiMin, is
 looked for on grids of waves and then by Nelder and Mead's method. The product

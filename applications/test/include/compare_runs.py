@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compare the histories of two runs, and the fields of one time folder.
 
-    compareRuns.py case case [--tolerance 1e-10] [--fields TIME] [--only path]
+    compare_runs.py case case [--tolerance 1e-10] [--fields TIME] [--only path]
         [--but end]
 
 The difference is relative to the largest number of a table; of forces, and of

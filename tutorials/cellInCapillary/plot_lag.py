@@ -4,7 +4,7 @@
 flow around a sphere in a tube."""
 
 import numpy as np
-from sphereInTube import velocity
+from sphere_in_tube import velocity
 
 from fsbi import plots
 from fsbi.history import History

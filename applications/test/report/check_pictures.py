@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is asked for is in a picture. Needs a display, as xvfb-run gives.
 
-    checkPictures.py rim|bonds|streamlines|field|film CASE [BODY]
+    check_pictures.py rim|bonds|streamlines|field|film CASE [BODY]
 """
 
 import os
@@ -14,7 +14,7 @@ import vtk
 from PIL import Image, ImageChops
 from vtk.util.numpy_support import vtk_to_numpy
 
-from fsbi import cuts, picture, vtkFiles
+from fsbi import cuts, picture, vtk_files
 from fsbi.history import History
 
 what, case, body = (sys.argv + ["leukocyte"])[1:4]
@@ -24,7 +24,7 @@ def drawn(*arguments):
     """(pixels, bars, time) of the last state."""
     options = picture.options_of("picture").parse_args([
         case, "--bodies", body, "--size", "500", "400", *arguments])
-    with vtkFiles.VTKFiles(case, "fluid", "U", "latest") as states:
+    with vtk_files.VTKFiles(case, "fluid", "U", "latest") as states:
         pixels, bars, _ = picture.drawn(options, states[-1])
         return pixels[:, :, :3].astype(int), bars, states[-1].time
 
@@ -47,7 +47,7 @@ def bonds():
     look = ("--no-cut", "--no-edges", "--tilt", "10", "2")
     without, _, time = drawn(*look)
     shown, bars, _ = drawn(*look, "--bonds", "--bond-width", "3")
-    tension = cuts.largest_tension(vtkFiles.saved_drawing(case, time, "bonds.vtk"))
+    tension = cuts.largest_tension(vtk_files.saved_drawing(case, time, "bonds.vtk"))
     assert tension > 0 and len(bars) == 1, (tension, bars)
     assert abs(bars[0][1][1] / (1000 * tension) - 1) < 1e-6, (bars, tension)
     assert changed(without, shown) > 50, changed(without, shown)
@@ -72,7 +72,7 @@ def field():
     probe.SetInputData(at)
     look = ("--within", "10", "--no-edges", "--normal", "0", "-1", "0", "--up", "0", "0", "1")
     without, _, time = drawn(*look)
-    probe.SetSourceData(vtkFiles.saved_drawing(case, time, "B.vtk"))
+    probe.SetSourceData(vtk_files.saved_drawing(case, time, "B.vtk"))
     probe.Update()
     found = vtk_to_numpy(probe.GetOutput().GetPointData().GetArray("B"))[0]
     # bound: linear between points of a field whose coil is 500 spacings away
@@ -83,7 +83,7 @@ def field():
 
 
 def film():
-    states = [n for n in vtkFiles.folders_by_time(case).values() if n != "0.orig"]
+    states = [n for n in vtk_files.folders_by_time(case).values() if n != "0.orig"]
     subprocess.run(["fsbiMovie", case, "--bodies", body, "--bonds", "--no-cut", "--size", "400",
                     "300", "--output", f"{case}/film.gif"], check=True)
     images = Image.open(f"{case}/film.gif")

@@ -7,20 +7,20 @@ Abbott et al. (2009), "How should microrobots swim?", Int. J. Robotics Research 
 1434-1447 (Gaskin 2018, 4.13-4.17), R: radius of the helix, r: of the filament, n:
 turns, tan(theta) = 2 pi R/pitch, mu = 1.
 
-    a, b, c = helix(Lighthill, R=1, r=0.1, pitch=2, n=5)
+    a, b, c = helix(lighthill, R=1, r=0.1, pitch=2, n=5)
     advance = -b / a                # u/w, by any torque or speed of turning
 """
 
 import numpy as np
 
 
-def Lighthill(R, r, pitch):
+def lighthill(R, r, pitch):
     """[4.16-4.17]"""
     log = np.log(0.36 * np.pi * R / (r * np.sin(np.arctan2(2 * np.pi * R, pitch))))
     return 2 * np.pi / log, 4 * np.pi / (log + 0.5)
 
 
-def GrayHancock(R, r, pitch):
+def gray_hancock(R, r, pitch):
     """Gray and Hancock (1955), J. Exp. Biol. 32, 802-814; R does not enter."""
     log = np.log(2 * pitch / r)
     return 2 * np.pi / (log - 0.5), 4 * np.pi / (log + 0.5)

@@ -9,14 +9,14 @@ import numpy as np
 from fsbi import plots
 from fsbi.case import reference
 from fsbi.history import History
-from fsbi.resistiveForce import Lighthill, helix
+from fsbi.resistive_force import helix, lighthill
 
 # of this helix, its axis held; validation/S7-helix computes it
 BOUNDARY_INTEGRAL = next(
     row["axis_held"] for row in
     reference(os.environ["FSBI_DIR"] + "/validation/S7-helix/reference/helix.csv")
     if row["pitch"] == 2)
-a, b, _ = helix(Lighthill, R=1, r=0.1, pitch=2, n=5)
+a, b, _ = helix(lighthill, R=1, r=0.1, pitch=2, n=5)
 RESISTIVE_FORCE = -b / a        # Abbott et al.
 
 

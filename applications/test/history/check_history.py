@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Does the history hold what happened, when it happened?
 
-    checkHistory.py instants|state|series|steps|notes
+    check_history.py instants|state|series|steps|notes
 """
 
 import subprocess

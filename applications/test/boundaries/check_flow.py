@@ -1,4 +1,4 @@
-"""Compare a solution with an exact flow: checkFlow.py case flow bound"""
+"""Compare a solution with an exact flow: check_flow.py case flow bound"""
 import re
 import sys
 

@@ -9,9 +9,9 @@ import shutil
 import numpy as np
 
 from checks import check, end
-from fsbi.accuracyCost import Refused, knobs, quantities, richardson
-from fsbi.accuracyCost.predict import Predictor
-from fsbi.accuracyCost.study import front
+from fsbi.accuracy_cost import Refused, knobs, quantities, richardson
+from fsbi.accuracy_cost.predict import Predictor
+from fsbi.accuracy_cost.study import front
 
 
 def check_orders():

@@ -3,7 +3,7 @@
 """A surface as it would be observed: no tractions; of what is held, below y = 4.5,
 it is only known that it is held (nan).
 
-    hideHeld.py surface.csv observed.csv
+    hide_held.py surface.csv observed.csv
 """
 
 import sys

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Does a page hold what the run recorded?
 
-    checkPage.py CASE
+    check_page.py CASE
 """
 
 import base64

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A box for gmshToFoam, on the standard output.
 
-    boxMesh.py tetrahedra|moved LX LY LZ NX NY NZ
+    box_mesh.py tetrahedra|moved LX LY LZ NX NY NZ
 
 Vertices inside and on the sides are moved at random by up to 15 % of a cell's
 edges, those on a side along it. tetrahedra: six around the long diagonal of

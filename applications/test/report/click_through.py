@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Use a page as a reader would: look, turn, play, choose, read numbers.
 
-    clickThrough.py CASE            writes CASE/*.png to look at
-    clickThrough.py --bare PAGE     one without three.js
+    click_through.py CASE            writes CASE/*.png to look at
+    click_through.py --bare PAGE     one without three.js
 """
 
 import sys

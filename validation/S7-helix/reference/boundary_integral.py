@@ -4,7 +4,7 @@
 """Resistance of helical filaments in unbounded Stokes flow by a boundary integral,
 independent of fsbiFoam; writes helix.csv and convergence.csv beside it.
 
-    ./boundaryIntegral.py           # 4 min
+    ./boundary_integral.py           # 4 min
 
 The traction f on a rigid body that moves with the velocity u is, on its surface,
 
@@ -189,7 +189,7 @@ def mesh(pitch, around):
 def write(name, rows):
     path = os.path.join(os.path.dirname(os.path.abspath(__file__)), name)
     with open(path, "w") as file:
-        file.write("# boundaryIntegral.py: mu 1, R 1, filament 0.1, 5 turns\n")
+        file.write("# boundary_integral.py: mu 1, R 1, filament 0.1, 5 turns\n")
         file.write(",".join(rows[0]) + "\n")
         for row in rows:
             file.write(",".join(f"{value:.8g}" for value in row.values()) + "\n")

@@ -11,7 +11,7 @@ a force) and those that are regular in the tube (Haberman & Sayre 1958). Their
 coefficients and the velocity follow from no slip on the sphere and the wall, and
 from no disturbance at the ends, by least squares at many points. Lengths: the
 tube's radius. Digits that do not change with `multipoles`, `waves` and `length`
-are right; `python3 sphereInTube.py` shows it.
+are right; `python3 sphere_in_tube.py` shows it.
 """
 
 import numpy as np
