@@ -1,0 +1,146 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scenes with the classes of etc/templates, which the Allrun has built and run,
+against theory."""
+
+import numpy as np
+import pytest
+from scipy.optimize import fsolve
+
+from fsbi import convergence, fields
+from fsbi.history import History
+
+
+def history(case):
+    return History(f"{case}/postProcessing/history.h5")
+
+
+# A body in an optical trap: x' = -x/tau, tau = drag/k
+
+def displacement(step):
+    return history(f"trap{step}")["bodies/tumourCell/position"]["x"] - 60
+
+
+@pytest.fixture(scope="module")
+def relaxed():
+    steps = (200, 100, 50)
+    ends = [displacement(step)[-1] for step in steps]
+    return convergence.order_of_three(steps, ends), convergence.richardson(steps, ends)
+
+
+def test_trapped_body_moves_with_second_order_in_time(relaxed):
+    # bound: BDF2
+    assert relaxed[0] == pytest.approx(2, abs=0.3)
+
+
+def test_trapped_body_relaxes_by_its_drag(relaxed):
+    tau = 1000 / np.log(4 / relaxed[1])
+    drag = 0.15 * tau / (6 * np.pi * 8)
+    # bound: the walls, 7.5 radii away, add a good tenth; coarse triangles take some away
+    assert 1.0 < drag < 1.4
+
+
+def test_trapped_body_takes_steps_of_a_hundred_times_its_relaxation():
+    x = np.abs(displacement(100000))
+    assert x[3:].max() < 0.1 and x[-1] < 1e-3
+
+
+# Gent's law: stretches l along, m across, under the force T per undeformed area
+
+E, JM = 3, 3
+
+
+def gent(nu):
+    """Shear modulus, Lame's constant, and the principal first Piola-Kirchhoff
+    stresses as functions of l and m."""
+    mu, lame = E / 2 / (1 + nu), E * nu / (1 + nu) / (1 - 2 * nu)
+
+    def stresses(length, width):
+        stiffening = JM / (JM + 3 - length**2 - 2 * width**2)
+        volume = np.log(length * width**2)
+        return [mu * (stiffening * x - 1 / x) + lame * volume / x for x in (length, width)]
+    return mu, lame, stresses
+
+
+def stretched(nu, force):
+    stresses = gent(nu)[2]
+
+    def lack(x):
+        along, across = stresses(*x)
+        return along - force, across
+    found = np.array([1.0, 1.0])
+    for part in np.linspace(0, 1, 9)[1:]:
+        found = fsolve(lambda x: np.array(lack(x)) + [(1 - part) * force, 0], found, xtol=1e-13)
+    return found
+
+
+def energy(nu, length, width):
+    mu, lame, _ = gent(nu)
+    volume = np.log(length * width**2)
+    return (-mu * JM / 2 * np.log(1 - (length**2 + 2 * width**2 - 3) / JM) - mu * volume
+            + lame / 2 * volume**2)
+
+
+NUS = pytest.mark.parametrize("nu", [0.3, 0.499])
+# bound: the deformation is uniform, which hexahedra have without error; the residual
+# is solved to 1e-10 of the load, and a strain has at most the loads' over E, times what
+# near incompressibility takes from it, 1/(1 - 2 nu)
+EXACT = 1e-7
+
+
+@NUS
+def test_cube_of_gents_law_stretches_as_the_principal_stresses_say(nu):
+    table = history(f"gent{nu}")["elasticBodies/cube/deformation"]
+    for time, length, width in zip(table["time"], table["maxStretch"], table["minStretch"]):
+        assert (length, width) == pytest.approx(stretched(nu, time), rel=EXACT)
+    # neoHookean would be far beyond: the limit is felt
+    assert table["maxStretch"][-1] < 2
+
+
+@NUS
+def test_cube_of_gents_law_stores_the_energy_of_its_stretches(nu):
+    stored = history(f"gent{nu}")["elasticBodies/cube/energy"]["elastic"][-1]
+    assert stored == pytest.approx(energy(nu, *stretched(nu, 4)), rel=EXACT)
+
+
+@NUS
+def test_newtons_method_finds_gents_law_with_its_tangent(nu):
+    corrections = history(f"gent{nu}")["cost"]["corrections"]
+    # bound: quadratic convergence from the step before squares the part that is wrong
+    # of the first correction, below a half, to 1e-10 in 6, and 2 for the first
+    assert corrections.max() <= 8
+
+
+# Pressure along a channel: Shah and London (1978), Laminar flow forced convection in
+# ducts, table 42: f Re = 15.54806 of sides 1:2, with the hydraulic diameter 4 A/P
+
+def gradient_of_pressure(case):
+    centre = fields.internal(f"{case}/1/fluid/C")
+    p = fields.internal(f"{case}/1/fluid/p")[:, 0]
+    # a height away from the inlet and one and a half from the outlet
+    away = (centre[:, 0] > 2) & (centre[:, 0] < 3)
+    return np.polyfit(centre[away, 0], p[away], 1)[0]
+
+
+WIDTH, HEIGHT, RATE, VISCOSITY = 4, 2, 8, 1.5
+ACROSS = 6, 8, 12
+
+
+@pytest.fixture(scope="module")
+def errors():
+    diameter = 2 * WIDTH * HEIGHT / (WIDTH + HEIGHT)
+    mean = RATE / WIDTH / HEIGHT
+    exact = -2 * 15.54806 * VISCOSITY * mean / diameter**2
+    return [gradient_of_pressure(f"channel{n}") / exact - 1 for n in ACROSS]
+
+
+def test_pressure_falls_along_the_channel_as_in_the_tables(errors):
+    # bound: velocities at the middles of faces and a second-order operator take a
+    # parabola across n cells wrongly by 1/(2 n^2) each, along both sides
+    for n, error in zip(ACROSS, errors):
+        assert abs(error) < 2 / n**2
+
+
+def test_with_second_order(errors):
+    # bound: 1.8, as for all that the second-order operator does
+    assert convergence.orders(1 / np.array(ACROSS), np.abs(errors))[-1] > 1.8
