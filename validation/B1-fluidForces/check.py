@@ -10,6 +10,7 @@ import numpy as np
 
 from fsbi import plots
 from fsbi.case import Case, cases, reference
+from fsbi.convergence import overall_order
 from fsbi.results import Results
 
 BODY, RADIUS = "tumourCell", 8
@@ -52,7 +53,7 @@ def far_field():
         "dragOrder.png", [size(r) for r in runs], {"drag": np.array(errors)},
         xlabel="cells$^{-1/3}$", title="Drag in an exact Stokes far field")
     # bound: required before: order 1.8 of a second-order scheme
-    results.at_least("drag_order", overall([size(r) for r in runs[1:]], errors[1:]), 1.8)
+    results.at_least("drag_order", overall_order([size(r) for r in runs[1:]], errors[1:]), 1.8)
     figure, axes = plots.plt.subplots()
     axes.loglog([r.seconds for r in runs], errors, marker="o", mfc="white")
     for run, error in zip(runs, errors):
@@ -63,11 +64,6 @@ def far_field():
     axes.set_title("Work and precision (numbers: cells)", loc="left")
     plots.save(figure, "dragWork.png")
     return orders
-
-
-def overall(sizes, errors):
-    """Slope of a straight line through the logarithms."""
-    return np.polyfit(np.log(sizes), np.log(errors), 1)[0]
 
 
 def ball_radius(folder):
@@ -160,7 +156,7 @@ def wall_order():
         errors[name] = np.array([abs(wall_values(r)[k] / exact[k] - 1) for r in runs])
         # bound: required before, as for the drag
         results.at_least(f"wall_order_{name.replace(' ', '_')}",
-                         overall(edges, errors[name]), 1.8)
+                         overall_order(edges, errors[name]), 1.8)
     plots.convergence(
         "wallOrder.png", edges, errors, xlabel="edge length on the sphere / radius",
         title="Sphere beside a wall, centre at 1.3 radii")

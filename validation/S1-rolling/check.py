@@ -9,7 +9,7 @@ import sys
 
 import numpy as np
 
-from fsbi import plots
+from fsbi import convergence, plots
 from fsbi.case import Case, cases, reference
 from fsbi.leukocyte import Leukocyte
 from fsbi.results import Results
@@ -141,23 +141,10 @@ def sphere():
 def orders(edges, errors):
     # bound: second order, 1.8 as for all forces (B1)
     results.at_least("sphere_torque_order",
-                     np.polyfit(np.log(edges), np.log(errors), 1)[0], 1.8)
+                     convergence.overall_order(edges, errors), 1.8)
     plots.convergence("sphereOrder.png", edges, {"torque": np.array(errors)},
                       xlabel="edge length on the sphere / radius",
                       title="A sphere that turns beside a wall, centre at 1.54 radii")
-
-
-def observed_order(h, f):
-    """p of f = f0 + C h^p through three meshes."""
-    ratio = (f[0] - f[1]) / (f[1] - f[2])
-    low, high = 0.1, 6
-    for _ in range(60):
-        p = (low + high) / 2
-        if (h[0]**p - h[1]**p) / (h[1]**p - h[2]**p) < ratio:
-            low = p
-        else:
-            high = p
-    return p
 
 
 def meshes():
@@ -170,9 +157,9 @@ def meshes():
     for name, values in (("force_x", [run.force(BODY)[-1, 0] for _, run in runs]),
                          ("torque_z", [run.torque(BODY)[-1, 2] for _, run in runs])):
         f = np.array(values)
-        limit = f[-1] - (f[-2] - f[-1]) / ((h[-2] / h[-1])**2 - 1)
+        limit = convergence.richardson(h, f)
         # bound: second order, 1.8 as for all forces (B1)
-        results.at_least(f"roll_{name}_order", observed_order(h[-3:], f[-3:]), 1.8)
+        results.at_least(f"roll_{name}_order", convergence.order_of_three(h, f), 1.8)
         # bound: the project's case table for bodies beside a wall (S6), 2 %
         results.add(f"roll_{name}_against_extrapolated", f[-1], limit, 0.02, **cost(finest))
 
@@ -187,7 +174,7 @@ def membranes():
     errors = [abs(m.turn * OMEGA / (2 * np.pi) - 1) for m in found]
     # bound: the way lies off by the square of the edges; 1.8 of 2
     results.at_least("turn_of_the_membrane_order",
-                     np.polyfit(np.log(edges), np.log(errors), 1)[0], 1.8)
+                     convergence.overall_order(edges, errors), 1.8)
     times(found[-1], edges[-1], "_finest")
 
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from fsbi import plots
 from fsbi.case import Case, cases, reference
+from fsbi.convergence import overall_order
 from fsbi.results import Results
 
 BODY, RATE, RADIUS, HEIGHT, PATH = "tumourCell", 5e-5, 8, 60, 480
@@ -49,7 +50,7 @@ def far_from_walls():
         # bound: each mesh drifts by its own error, of second order in the edges and of
         # either sign, so that not every finer mesh is better; over all of them it falls
         # with at least their first power
-        results.at_least("drift_order", np.polyfit(np.log(EDGES), np.log(drifts), 1)[0], 1)
+        results.at_least("drift_order", overall_order(EDGES, drifts), 1)
         draw_far(runs, drifts, spins)
 
 

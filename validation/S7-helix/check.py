@@ -12,6 +12,7 @@ import numpy as np
 
 from fsbi import plots, resistive_force
 from fsbi.case import Case, reference
+from fsbi.convergence import overall_order
 from fsbi.results import Results
 from reference import boundary_integral
 
@@ -70,7 +71,7 @@ def integrals():
     results.add("reference_sphere_drag_abs", np.abs(drags).max(), 0, 1e-4)
     # bound: constant tractions are of second order
     results.at_least("reference_sphere_torque_order",
-                     -np.polyfit(np.log(edges), np.log(torques), 1)[0], 1.8)
+                     -overall_order(edges, torques), 1.8)
 
 
 def edges():

@@ -6,6 +6,7 @@ outer boundaries. Appends to results.csv."""
 import numpy as np
 
 from fsbi.case import cases
+from fsbi.convergence import orders
 from fsbi.results import Results
 from wall_force import wall_force
 
@@ -26,5 +27,5 @@ for edge, run in zip(EDGES, cases("runs/walls*")):
 if len(errors) == len(EDGES):
     # bound: second order in theory; 0.2 for meshes that are not similar
     results.at_least("walls_plus_tether_order",
-                     np.log(errors[0] / errors[-1]) / np.log(EDGES[0] / EDGES[-1]), 1.8)
+                     orders((EDGES[0], EDGES[-1]), (errors[0], errors[-1]))[0], 1.8)
 results.write(append=True)

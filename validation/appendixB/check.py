@@ -10,6 +10,7 @@ import numpy as np
 
 from fsbi import plots
 from fsbi.case import Case
+from fsbi.convergence import orders
 from fsbi.results import Results
 
 DRAG = 6 * np.pi * 8 * 1.4e-4           # 6 pi mu a U
@@ -36,10 +37,6 @@ def gradients():
     return {key: np.array(rows).T for key, rows in table.items()}
 
 
-def order(h, error):
-    return np.log(error[-2] / error[-1]) / np.log(h[-2] / h[-1])
-
-
 def check_gradients(table):
     for kind in KINDS:
         for scheme in ("vertex", "leastSquares"):
@@ -49,7 +46,7 @@ def check_gradients(table):
             # bound: of what is exact for linear fields: first order; quick and
             # full alike on three meshes, a tenth below for their irregularity
             results.at_least(f"Stokes_order_{scheme}_{kind}",
-                             order(*table[kind, "Stokes", scheme]), 0.9)
+                             orders(*table[kind, "Stokes", scheme])[-1], 0.9)
     # bound: linear faces are exact where lines between centres cross faces in
     # the middle, otherwise off by a part that is the same on finer meshes (an
     # order of zero): three quarters of it must be there on the finest

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.linalg import expm
 from scipy.optimize import brentq, curve_fit
 
-from fsbi import plots
+from fsbi import convergence, plots
 from fsbi.case import Case
 from fsbi.results import Results
 
@@ -125,7 +125,7 @@ def spinning():
 def without_time_error(coarse, fine):
     """Largest change in the first turn, extrapolated from two step lengths."""
     a, b = coarse.momentum[:coarse.steps], fine.momentum[1:2 * coarse.steps:2]
-    limit = (4 * b - a[:len(b)]) / 3
+    limit = convergence.richardson((2, 1), (a[:len(b)], b))
     return np.linalg.norm(limit - fine.start, axis=1).max()
 
 
@@ -227,7 +227,7 @@ def frequency():
         across.append(n)
         values.append(w)
     if not quick:
-        limit = values[-1] + (values[-1] - values[-2]) / 3
+        limit = convergence.richardson(1 / np.array(across), values)
         # bound: half of what Timoshenko's theory takes off Euler's and Bernoulli's
         results.add("frequency_limit_against_Timoshenko", limit, theory,
                     (bending / theory - 1) / 2)
@@ -275,7 +275,8 @@ def damping():
             results.add(f"damped_decay_mesh{n}", decay, w**2 * tau / 2,
                         2.5 / n**2, seconds=run.seconds, cells=run.cells)
     # bound: second order
-    results.at_least("damped_decay_order", np.log2(lacks[8] / lacks[16]), 1.8)
+    results.at_least("damped_decay_order",
+                     convergence.orders((1 / 8, 1 / 16), (lacks[8], lacks[16]))[0], 1.8)
     coarse = [r for r in runs if r.folder.split(".")[-2] == "4"]
     coarse.sort(key=steps_per_period)
     w = true_frequency(found("frequency.Newmark.4.*")[0])[0]
@@ -311,7 +312,7 @@ def creeping():
             axes.plot(table["time"], u, ls="none", marker=plots.MARKERS[i],
                       mfc="white", color=plots.COLOURS[i],
                       markevery=max(1, n // 10), label=f"steps of τ/{n}")
-    order = plots.observed_orders(steps, errors)[-1]
+    order = convergence.orders(steps, errors)[-1]
     # bound: backward Euler is of first order, to a tenth
     results.add("creep_order", order, 1, 0.1)
     axes.set(xlabel="time / τ", ylabel="length gained / final")

@@ -7,6 +7,7 @@ import os
 import sys
 
 from fsbi import plots
+from fsbi.convergence import orders
 from fsbi.results import Results
 
 KINDS = "hexahedra", "perturbed", "tetrahedra", "polyhedra"
@@ -41,7 +42,7 @@ def check(kind, law, boundary, rows):
     for error in ERRORS:
         lowest = (DISPLACEMENT if error == "displacement"
                   else LOWEST.get((kind, error)))
-        order = plots.observed_orders(column(rows, "h"), column(rows, error))[-1]
+        order = orders(column(rows, "h"), column(rows, error))[-1]
         if lowest:
             results.at_least(f"{label}_order_{error}", order, lowest,
                              seconds=float(rows[-1]["seconds"]),

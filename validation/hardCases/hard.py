@@ -17,7 +17,7 @@ import numpy as np
 
 import outcome
 import theory
-from fsbi import errors
+from fsbi import convergence, errors
 from fsbi.history import History
 from given_mesh import GivenBeam, sheared, shaken
 from scene import Body, Flow, Scene
@@ -319,7 +319,7 @@ def long_elastic_steps():
         long, half = abs(shape(history) / fine - 1), abs(other(0.5, 12, "Half") / fine - 1)
         return [("deformation against short steps", long, "<", turned_too_fast(1)),
                 ("of half the length", half, "<", turned_too_fast(0.5)),
-                ("order", np.log2(long / half), ">", 1.8)]
+                ("order", convergence.orders((1, 0.5), (long, half))[0], ">", 1.8)]
     return scene(1, 6), more
 
 

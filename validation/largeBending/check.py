@@ -9,7 +9,7 @@ import sys
 import numpy as np
 from scipy.integrate import solve_bvp
 
-from fsbi import fields, plots
+from fsbi import convergence, fields, plots
 from fsbi.case import Case
 from fsbi.results import Results
 
@@ -150,7 +150,7 @@ def refine(runs):
                     and r.length == 10 and r.load == 3 and r.steps == 1),
                    key=lambda r: r.across)
     ends = [r.place(1) for r in three]
-    limit = ends[2] + (ends[2] - ends[1]) / 3
+    limit = convergence.richardson([1 / r.across for r in three], ends)
     errors = np.array([np.linalg.norm(e - limit) for e in ends])
     errors /= np.linalg.norm(limit - (1, 0))
     elastica_end = three[0].exact()[:, -1]

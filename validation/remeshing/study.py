@@ -10,10 +10,11 @@ import csv
 
 import numpy as np
 
+from fsbi import convergence
 from fsbi.case import Case
 from quantities import AXES, FORCES, rows
 
-RATIO = 3 / 4
+SIZES = 1, 3 / 4, 9 / 16
 
 
 def difference(values, others):
@@ -25,8 +26,9 @@ def difference(values, others):
 def study(values):
     """Errors on the three sizes and the order observed."""
     coarse, middle, fine = values
-    limit = fine + (fine - middle) * RATIO**2 / (1 - RATIO**2)
-    order = np.log(difference(fine, middle) / difference(middle, coarse)) / np.log(RATIO)
+    limit = convergence.richardson(SIZES, values)
+    order = convergence.order_of_differences(SIZES, difference(middle, coarse),
+                                             difference(fine, middle))
     return [difference(v, limit) for v in values] + [order]
 
 

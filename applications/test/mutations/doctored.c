@@ -3,7 +3,7 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 
 Description
-    Stands for fsbiFoam in the test of the judge (check_judge.py): does what the
+    Stands for fsbiFoam in the test of the judge (test_judge.py): does what the
     first word of constant/bodies says.
 
 \*---------------------------------------------------------------------------*/

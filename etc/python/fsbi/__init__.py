@@ -5,7 +5,7 @@
 history   time series of a run      results   results.csv and its bounds
 plots     curves, convergence       picture   meshes, bodies and fields
 case      a finished run            errors    distance from an exact solution
-accuracyCost   the parts of fsbiAccuracyCost
+convergence    orders, limits       accuracy_cost  the parts of fsbiAccuracyCost
 
 In a shell, `python3 -m fsbi history CASE` prints a history.
 """

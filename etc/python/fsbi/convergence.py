@@ -1,15 +1,24 @@
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The limit of a sequence of values over step or cell sizes, and how sure it is.
+"""Orders of convergence, and the limit of a series of values over cell or step sizes.
 
-    found = estimate([4, 2, 1], [1.16, 1.04, 1.01])
+Errors against an exact solution, h: sizes of cells or steps, coarse to fine:
+
+    orders(h, errors)                   of each pair of neighbours
+    overall_order(h, errors)            of a straight line through all logarithms
+
+Values f = limit + C h^p whose limit is not known:
+
+    order_of_three(h, f)                p, by the last three
+    richardson(h, f, order=2)           limit, by the last two and a known order
+    found = estimate(h, f)              limit, order and how sure they are, by all
     found.limit, found.order, found.uncertainty, found.kind
 
-v = limit + C h^order is fitted to all values, the finer ones weighing more
-(Eca and Hoekstra, J. Comput. Phys. 262, 2014). The uncertainty is that of the
-limit, as in the grid convergence index (Roache): a safety factor times the
-correction from the finest value, with the order bounded by 2, plus four times the
-scatter about the fit (few values have little scatter by chance). The factor is 1.25 where the values behave, else 3. Kinds:
+In an estimate the finer values weigh more (Eca and Hoekstra, J. Comput. Phys. 262,
+2014). The uncertainty is that of the limit, as in the grid convergence index
+(Roache): a safety factor times the correction from the finest value, with the
+order bounded by 2, plus four times the scatter about the fit (few values have
+little scatter by chance). The factor is 1.25 where the values behave, else 3. Kinds:
 
     asymptotic    the fit is good, orders between 0.5 and 4
     monotone      one direction, but not (yet) with one order; two values only
@@ -22,12 +31,40 @@ scatter about the fit (few values have little scatter by chance). The factor is 
 import collections
 
 import numpy as np
+from scipy.optimize import brentq
 
 Estimate = collections.namedtuple("Estimate", "limit order factor uncertainty kind")
 
 LOWEST, HIGHEST, FORMAL = 0.5, 4.0, 2.0
 ORDERS = np.linspace(0.05, 6, 1191)
 GOOD, POOR = 1.25, 3.0
+
+
+def orders(h, errors):
+    h, errors = np.asarray(h, float), np.asarray(errors, float)
+    return np.log(errors[1:] / errors[:-1]) / np.log(h[1:] / h[:-1])
+
+
+def overall_order(h, errors):
+    return np.polyfit(np.log(h), np.log(errors), 1)[0]
+
+
+def order_of_differences(h, coarse, fine):
+    """Of three sizes h and how far the values on the coarser two, and on the finer
+    two, are apart; nan outside 0.01 and 20."""
+    def lack(p):
+        return (h[0]**p - h[1]**p) / (h[1]**p - h[2]**p) - coarse / fine
+    low, high = 0.01, 20.0
+    return brentq(lack, low, high, xtol=1e-12) if lack(low) < 0 < lack(high) else np.nan
+
+
+def order_of_three(h, f):
+    return order_of_differences(h[-3:], f[-3] - f[-2], f[-2] - f[-1])
+
+
+def richardson(h, f, order=2):
+    """Also of arrays, one for each size."""
+    return f[-1] + (f[-1] - f[-2]) / ((h[-2] / h[-1])**order - 1)
 
 
 def line(h, v, order):

@@ -19,6 +19,7 @@ import sys
 
 import numpy as np
 
+from . import convergence
 from .case import cases
 
 NAMES = {"D": "displacement", "sigma": "stress of cells",
@@ -50,8 +51,7 @@ class Study:
 
     def order(self, field):
         """Of the finest pair, in the l2 norm."""
-        error = self.error(field)
-        return np.log(error[-1] / error[-2]) / np.log(self.h[-1] / self.h[-2])
+        return convergence.orders(self.h, self.error(field))[-1]
 
     def cost(self, i=-1):
         """Of one run, by default the finest, for results.csv."""

@@ -22,6 +22,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
 
+from .convergence import orders as observed
+
 # Okabe and Ito's colours without the yellow; markers tell the lines apart, too
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
 MARKERS = ["o", "s", "^", "D", "v", "P"]
@@ -119,12 +121,6 @@ class _PlainNumbers(matplotlib.ticker.LogFormatter):
         return f"{x:g}"
 
 
-def observed_orders(h, errors):
-    """Order of each pair of successive mesh (or step) sizes."""
-    h, errors = np.asarray(h, float), np.asarray(errors, float)
-    return np.log(errors[1:] / errors[:-1]) / np.log(h[1:] / h[:-1])
-
-
 def convergence(path, h, errors, order=2, xlabel="cell size (µm)",
                 ylabel="relative error", title=""):
     """Errors over size in a log-log plot with a triangle of the expected
@@ -141,7 +137,7 @@ def convergence(path, h, errors, order=2, xlabel="cell size (µm)",
         index = np.argsort(sizes)[::-1]
         sizes = np.asarray(sizes, float)[index]
         values = np.asarray(values, float)[index]
-        orders[label] = observed_orders(sizes, values)
+        orders[label] = observed(sizes, values)
         axes.loglog(sizes, values, color=COLOURS[i % 6], marker=MARKERS[i % 6],
                     mfc="white", mew=1.4,
                     label=f"{label}: order {orders[label][-1]:.2f}")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What accuracy costs: the parts of applications/utilities/fsbiAccuracyCost.
 
-quantities   a number out of a finished run      richardson   limits and orders
+quantities   a number out of a finished run
 knobs        what is varied, and how              predict      seconds of a run to come
 runs         copies, runs, keeps what they gave   study        plan, errors, advice
 draw         the picture                          report       variants.csv, report.md

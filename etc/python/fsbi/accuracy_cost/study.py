@@ -15,7 +15,8 @@ import sys
 
 import numpy as np
 
-from . import Refused, richardson
+from . import Refused
+from .. import convergence
 from .predict import UNSURE, Predictor
 from .runs import Failed
 
@@ -140,7 +141,7 @@ class Study:
         ran = self.of_knob(knob)
         if len(ran) < 2:
             return None
-        return richardson.estimate([knob.size(v.settings[knob.name]) for v in ran],
+        return convergence.estimate([knob.size(v.settings[knob.name]) for v in ran],
                                    [v.values[i] for v in ran])
 
     def uncertainty(self):
@@ -241,7 +242,7 @@ class Study:
             return 0.0
         size = knob.size(value)
         if e.kind != "scattered":
-            order = e.order if np.isfinite(e.order) else richardson.FORMAL
+            order = e.order if np.isfinite(e.order) else convergence.FORMAL
             return abs(e.factor) * size**order
         ran = self.of_knob(knob)
         sizes = [knob.size(v.settings[knob.name]) for v in ran]

@@ -1,0 +1,68 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What fsbiAccuracyCost predicts and chooses, without a run."""
+
+import numpy as np
+import pytest
+
+from fsbi.accuracy_cost import knobs, quantities
+from fsbi.accuracy_cost.predict import Predictor
+from fsbi.accuracy_cost.study import front
+
+METHODS = knobs.Knob("method", ["coupled", "SIMPLEC"], None, 0)
+BASE = dict(mesh="1", timeStep="1", tolerance="1", method="coupled")
+
+
+def cost(settings):
+    """Seconds of stepping and meshing, megabytes, as of a real run: with a
+    start, and a solver whose iterations depend on the tolerance."""
+    f, dt, tol = (float(settings[k]) for k in ("mesh", "timeStep", "tolerance"))
+    cells = 18000 / f**2.8
+    its = (15 - 1.5 * np.log10(tol)) * dt**0.15
+    slow = 6 if settings["method"] == "SIMPLEC" else 1
+    return (0.2 + 100 / dt * cells**1.15 * its * 2e-7 * slow, 5e-5 * cells * 8,
+            150 + 0.006 * cells)
+
+
+@pytest.fixture
+def trained():
+    """A predictor after a plan of runs, and its predictions on the way over the
+    true seconds."""
+    varied = [knobs.Factor(n) for n in knobs.BUILT_IN] + [METHODS]
+    plan = [BASE] + [{**BASE, k.name: v} for k in varied[:3] for v in k.values if v != "1"]
+    predictor, ratios = Predictor(varied), []
+    assert predictor.predict(BASE) is None
+    for settings in sorted(plan, key=lambda s: sum(cost(s)[:2])):
+        found = predictor.predict(settings)
+        if found:
+            ratios.append(found[0] / sum(cost(settings)[:2]))
+        predictor.add(settings, *cost(settings))
+    return predictor, np.array(ratios)
+
+
+def test_9_of_10_predictions_are_within_a_factor_of_one_and_a_half(trained):
+    ratios = trained[1]
+    assert len(ratios) == 9
+    assert np.mean((1 / 1.5 < ratios) & (ratios < 1.5)) >= 0.9
+
+
+def test_so_is_a_combination(trained):
+    combined = dict(BASE, mesh="1.4", timeStep="2", tolerance="100")
+    assert 1 / 1.5 < trained[0].predict(combined)[0] / sum(cost(combined)[:2]) < 1.5
+
+
+def test_word_never_tried_is_known_to_be_a_guess(trained):
+    assert trained[0].predict(dict(BASE, method="SIMPLEC"))[2] > 0.6
+
+
+def test_best_of_many_are_those_that_none_beats_in_both():
+    runs = [(1, 0.1), (2, 0.2), (3, 0.05), (4, 0.05), (5, 0.01), (3, 0.04)]
+    assert front(runs, lambda r: r[0], lambda r: r[1]) == [(1, 0.1), (3, 0.04), (5, 0.01)]
+
+
+@pytest.mark.parametrize("how, window, wanted", [
+    ("last", (), 2), ("max", (), 2), ("mean", (), 5 / 3), ("at=0.5", ([0.5],), 1),
+    ("mean=1,3", ([1, 3],), 2)])
+def test_series_is_reduced(how, window, wanted):
+    t, v = np.array([0.0, 1, 3]), np.array([0.0, 2, 2])
+    assert quantities.reduce(t, v, how, *window) == pytest.approx(wanted)
