@@ -73,7 +73,8 @@ Foam::string Foam::fsbi::fluidMesh::bodyThatLeaves(const scalar gap) const
         const surfaceDistance surface(open.points(), open.triangles());
         for (const immersedBody& body : bodies_)
         {
-            for (const point& p : body.meshedSurface().points())
+            const bodySurface meshed(body.meshedSurface());
+            for (const point& p : meshed.points())
             {
                 scalar distance;
                 label triangle;
