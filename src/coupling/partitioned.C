@@ -4,7 +4,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "partitioned.H"
-#include "elasticCoupling.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -171,9 +170,9 @@ Foam::fsbi::boundarySpring Foam::fsbi::partitioned::spring
     vectorField d(area.size(), Zero);
     body.solid.spreadFaces
     (
-        vectorField(surfaceDisplacement(body, given).faces - body.movedFaces), d
+        vectorField(body.split(given).faces - body.movedFaces), d
     );
-    s.load = surfaceForce(body, fluid_.traction()) + s.stiffness*d;
+    s.load = body.surfaceForce(fluid_.traction()) + s.stiffness*d;
     return s;
 }
 

@@ -4,7 +4,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "couplingScheme.H"
-#include "elasticCoupling.H"
 #include "loadCoupling.H"
 
 namespace Foam
@@ -136,7 +135,7 @@ Foam::List<Foam::vectorField> Foam::fsbi::couplingScheme::effectForces
 Foam::vectorField Foam::fsbi::couplingScheme::force(const label solidi) const
 {
     const elasticRows& body = *elastic_[solidi];
-    const vectorField onBody(surfaceForce(body, fluid_.traction()));
+    const vectorField onBody(body.surfaceForce(fluid_.traction()));
     vector onFluid(Zero);
     scalar size = 0;
     for (const label i : body.fluid.faces)

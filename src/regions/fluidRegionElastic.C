@@ -5,7 +5,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fluidRegion.H"
 #include "bodyCoupling.H"
-#include "elasticCoupling.H"
 #include "wettedSurface.H"
 
 Foam::fsbi::surfaceSide Foam::fsbi::fluidRegion::sideOf(const label b) const
@@ -72,11 +71,7 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
     linkSurfaces(elastic);
     forAll(elastic, e)
     {
-        setSurfaceVelocity
-        (
-            *elastic[e], surfaceDisplacement(*elastic[e], displacements[e]),
-            given_
-        );
+        elastic[e]->setVelocity(elastic[e]->split(displacements[e]), given_);
     }
     return solver_->solve(given_, rows, x_, traction_);
 }
@@ -110,7 +105,7 @@ void Foam::fsbi::fluidRegion::finish
     setFields(rows);
     for (const elasticRows* body : elastic)
     {
-        setSurfaceVelocity(*body, false, given_);
+        body->setVelocity(body->surface(), given_);
     }
     forAll(elastic, e)
     {

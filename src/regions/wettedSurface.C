@@ -4,7 +4,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "wettedSurface.H"
-#include "elasticCoupling.H"
 #include "surfaceMap.H"
 #include "PatchTools.H"
 #include "primitiveFacePatch.H"
@@ -233,7 +232,7 @@ void Foam::fsbi::wettedSurface::setVelocity(elasticRows& rows) const
 
 void Foam::fsbi::wettedSurface::follow(const elasticRows& rows)
 {
-    const surfaceDisplacement now(rows, false);
+    const surfaceDisplacement now(rows.surface());
     SubList<vector>(displacement_, solid_.nPoints) = now.points;
     SubList<vector>(displacement_, solid_.nFaces, solid_.nPoints) = now.faces;
 }

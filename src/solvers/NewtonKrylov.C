@@ -4,22 +4,25 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "NewtonKrylov.H"
+#include "error.H"
 
 namespace Foam
 {
 namespace fsbi
 {
 
-//- Accuracy of the linear solutions, until the last one needs less
+//- Accuracy of a correction's linear solution, until the last one needs less
 static const scalar forcing = 1e-3;
 
-//- Last linear solution over the tolerance: what is left to round-off
+//- Last linear solution over the target: what is left to the second order
 static const scalar margin = 0.3;
 
-//- Growth of the iterations that makes a new hierarchy worth its price
-static const scalar renewAbove = 1.5;
+//- Growth of the iterations that makes a new preconditioner worth its price
+static const scalar renewAbove = 1.3;
 
-static const label maxKrylov = 1000;
+//- Iterations a digit that are few enough with any preconditioner
+static const scalar fewIterations = 4;
+
 static const label maxHalvings = 12;
 
 } // End namespace fsbi
@@ -28,163 +31,127 @@ static const label maxHalvings = 12;
 
 Foam::fsbi::NewtonKrylov::NewtonKrylov
 (
-    const fvMesh& mesh,
-    elasticOperator& elastic,
-    const solidMaterial& material,
-    const checkedDictionary& entries
+    nonlinearSystem& system,
+    const char* prefix,
+    const label restart,
+    const label maxIterations
 )
 :
-    mesh_(mesh),
-    elastic_(elastic),
-    preconditioner_(mesh, elastic, material),
-    tolerance_(entries.tolerance("tolerance", 1e-8)),
-    maxIterations_(entries.count("maxIterations", 40)),
-    linear_(material.linear()),
-    residual_(mesh, elastic, material),
-    row_(elastic.size()),
-    dx_(elastic.size())
+    system_(system),
+    maxIterations_(maxIterations),
+    krylov_
+    (
+        system.size(), prefix, restart,
+        [&](const scalar* x, scalar* y){ system.applyJacobian(x, y); },
+        [&](const scalar* r, scalar* z){ system.precondition(r, z); }
+    ),
+    dx_(system.size())
 {}
 
 
-void Foam::fsbi::NewtonKrylov::createKrylov()
+void Foam::fsbi::NewtonKrylov::watch
+(
+    const label iterations, const scalar accuracy
+)
 {
-    const auto multiply = [this](const scalar* x, scalar* y)
+    const scalar rate = max(iterations/log10(1/accuracy), fewIterations);
+    if (!freshRate_)
     {
-        elastic_.tangent(x, y);
-        residual_.finishTangent(x, y);
-    };
-    const auto precondition = [this](const scalar* r, scalar* z)
+        freshRate_ = rate;
+    }
+    else if (rate > renewAbove*freshRate_)
     {
-        residual_.unscale(r, row_);
-        preconditioner_.apply(row_.cdata(), z);
-    };
-    krylov_.reset
-    (
-        new matrixFreeKrylov
-        (
-            elastic_.size(), "fsbiSolidKrylov_", 100, multiply, precondition
-        )
-    );
+        freshRate_ = 0;
+    }
 }
 
 
-Foam::label Foam::fsbi::NewtonKrylov::correction(const scalar accuracy)
+Foam::fsbi::matrixFreeKrylov::outcome Foam::fsbi::NewtonKrylov::step
+(
+    const scalarList& rows, const scalar accuracy
+)
 {
-    if (!freshIterations_)
+    if (!freshRate_)
     {
-        preconditioner_.rebuild(residual_.stiffness());
+        system_.renewPreconditioner();
     }
     dx_ = 0;
-    const label iterations = krylov_->solve
+    const matrixFreeKrylov::outcome outcome
     (
-        residual_.rows().cdata(), dx_.begin(), accuracy, maxKrylov
-    ).iterations;
-    if (!freshIterations_)
-    {
-        freshIterations_ = max(iterations, 10);
-    }
-    else if (iterations > renewAbove*freshIterations_)
-    {
-        freshIterations_ = 0;
-    }
-    return iterations;
+        krylov_.solve(rows.cdata(), dx_.begin(), accuracy, maxIterations_)
+    );
+    watch(outcome.iterations, accuracy);
+    return outcome;
 }
 
 
-Foam::label Foam::fsbi::NewtonKrylov::guardedCorrection(const scalar accuracy)
+Foam::fsbi::matrixFreeKrylov::outcome Foam::fsbi::NewtonKrylov::guardedStep
+(
+    const scalarList& rows, const scalar accuracy
+)
 {
-    // multigrid stops with an error where the derivative is not positive
     const bool throwing = FatalError.throwExceptions();
-    label iterations = -1;
+    matrixFreeKrylov::outcome outcome{-1, GREAT, false};
     try
     {
-        iterations = correction(accuracy);
+        outcome = step(rows, accuracy);
     }
     catch (const Foam::error&)
     {
-        freshIterations_ = 0;
+        freshRate_ = 0;
     }
     FatalError.throwExceptions(throwing);
-    return iterations;
+    return outcome;
 }
 
 
 bool Foam::fsbi::NewtonKrylov::advance(scalarList& x)
 {
+    const scalarList old(x);
     scalar part = 1;
-    for (label i = 0; i < maxHalvings; ++i)
+    for (label halving = 0; halving < maxHalvings; ++halving)
     {
-        forAll(x, j)
+        forAll(x, i)
         {
-            x[j] -= part*dx_[j];
+            x[i] = old[i] - part*dx_[i];
         }
-        if (residual_.evaluate(x))
+        if (system_.admissible(x))
         {
             return true;
         }
-        forAll(x, j)
-        {
-            x[j] += part*dx_[j];
-        }
         part /= 2;
     }
+    x = old;
     return false;
 }
 
 
-Foam::fsbi::solverReport Foam::fsbi::NewtonKrylov::solve
+bool Foam::fsbi::NewtonKrylov::correct
 (
-    const solidProblem& problem, scalarList& x
+    const scalarList& rows,
+    const scalar norm,
+    const scalar target,
+    scalarList& x,
+    solverReport& report
 )
 {
-    residual_.setProblem(problem);
-    preconditioner_.setDiagonal(residual_.stiffness());
-    if (!krylov_)
+    const matrixFreeKrylov::outcome outcome
+    (
+        system_.linear()
+      ? step(rows, target/norm)
+      : guardedStep(rows, max(margin*target/norm, forcing))
+    );
+    if (outcome.iterations < 0)
     {
-        createKrylov();
+        report.failure = "the body has lost its stiffness";
+        return false;
     }
-    const scalar mass = gSum(residual_.stiffness());
-    if (mass != mass_)
+    report.iterations += outcome.iterations;
+    ++report.corrections;
+    if (!advance(x))
     {
-        mass_ = mass;
-        freshIterations_ = 0;
+        report.failure = "a cell is turned inside out";
+        return false;
     }
-    solverReport report;
-    report.corrections = 0;
-    if (!residual_.evaluate(x))
-    {
-        x = 0;
-        if (!residual_.evaluate(x))
-        {
-            report.failure = "the body was inside out when the step began";
-            return report;
-        }
-    }
-    while (true)
-    {
-        const scalar target = residual_.target(tolerance_);
-        report.residual = residual_.norm()/max(residual_.size(), VSMALL);
-        report.converged = residual_.norm() <= target;
-        if (report.converged || report.corrections == maxIterations_)
-        {
-            return report;
-        }
-        const scalar needed = margin*target/residual_.norm();
-        const label iterations = guardedCorrection
-        (
-            linear_ ? needed : max(needed, forcing)
-        );
-        if (iterations < 0)
-        {
-            report.failure = "the body has lost its stiffness";
-            return report;
-        }
-        report.iterations += iterations;
-        ++report.corrections;
-        if (!advance(x))
-        {
-            report.failure = "a cell is turned inside out";
-            return report;
-        }
-    }
+    return outcome.converged;
 }

@@ -70,16 +70,14 @@ Foam::List<Foam::fsbi::sixVector> Foam::fsbi::bodyLoads
 }
 
 
-Foam::List<Foam::fsbi::sixVector> Foam::fsbi::bodyDefects
+Foam::List<Foam::fsbi::sixVector> Foam::fsbi::bodyDefectChanges
 (
     const UList<bodyRows>& bodies,
     const UList<sixVector>& velocities,
-    const UList<sixVector>& loads,
-    const bool homogeneous
+    const UList<sixVector>& loads
 )
 {
-    const scalar given = homogeneous ? 0 : 1;
-    List<sixVector> defects(bodies.size());
+    List<sixVector> changes(bodies.size());
     forAll(bodies, b)
     {
         const bodyRows& body = bodies[b];
@@ -90,10 +88,27 @@ Foam::List<Foam::fsbi::sixVector> Foam::fsbi::bodyDefects
         );
         forAll(v, k)
         {
-            defects[b][k] =
-                body.free[k]
-              ? given*body.rhs[k] + loads[b][k] - inertia[k]
-              : given*body.velocity[k] - v[k];
+            changes[b][k] = body.free[k] ? loads[b][k] - inertia[k] : -v[k];
+        }
+    }
+    return changes;
+}
+
+
+Foam::List<Foam::fsbi::sixVector> Foam::fsbi::bodyDefects
+(
+    const UList<bodyRows>& bodies,
+    const UList<sixVector>& velocities,
+    const UList<sixVector>& loads
+)
+{
+    List<sixVector> defects(bodyDefectChanges(bodies, velocities, loads));
+    forAll(bodies, b)
+    {
+        forAll(defects[b], k)
+        {
+            defects[b][k] +=
+                bodies[b].free[k] ? bodies[b].rhs[k] : bodies[b].velocity[k];
         }
     }
     return defects;

@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "coupledSystem.H"
-#include "checkedDictionary.H"
+#include "bodyCoupling.H"
 #include "PstreamReduceOps.H"
 
 namespace Foam
@@ -12,18 +12,9 @@ namespace Foam
 namespace fsbi
 {
 
-//- Growth of the iterations that makes a new hierarchy worth its price
-static const scalar renewAbove = 1.3;
-
-//- Accuracy of a correction's linear solution, until the last one needs less
-static const scalar forcing = 1e-3;
-
-//- Last linear solution over the tolerance
-static const scalar margin = 0.3;
-
-static const label maxHalvings = 8;
-
-//- Factor by which springs may change with the same hierarchy
+//- Factors by which velocity per displacement, and springs, may change with the
+//  same preconditioner
+static const scalar rateChange = 1.1;
 static const scalar springsChange = 1.5;
 
 } // End namespace fsbi
@@ -32,113 +23,76 @@ static const scalar springsChange = 1.5;
 
 Foam::fsbi::coupledSystem::coupledSystem
 (
-    const fvMesh& mesh,
-    const momentumEquation& momentum,
-    const dictionary& dict
+    const momentumEquation& momentum, const word& preconditionerType
 )
 :
-    mesh_(mesh),
     momentum_(momentum),
-    stokes_(momentum.viscous()),
-    traction_(stokes_.nBoundaryFaces(), Zero),
-    freshRate_(0)
-{
-    const checkedDictionary entries(dict);
-    knowOthers(entries);
-    tolerance_ = entries.tolerance("tolerance", 1e-6);
-    maxIterations_ = entries.count("maxIterations", 300);
-    entries.finish();
-
-    closed_ = stokes_.closed();
-}
+    preconditionerType_(preconditionerType),
+    traction_(momentum.viscous().nBoundaryFaces(), Zero)
+{}
 
 
-void Foam::fsbi::coupledSystem::createKrylov()
-{
-    const label nCells = mesh_.nCells();
-    const label nRows = result_.size();
-    preconditioner_.reset(new stokesPreconditioner(mesh_, stokes_, elastic_));
-    krylov_.reset
-    (
-        new matrixFreeKrylov
-        (
-            nRows, "fsbiKrylov_", 60,
-            [this](const scalar* x, scalar* y){ residual(x, y, true); },
-            [this](const scalar* r, scalar* z){ precondition(r, z); }
-        )
-    );
-    // the pressure on an elastic body, held all around or not, is felt
-    if (!closed_ || elastic_.size())
-    {
-        return;
-    }
-    krylov_->setNullVector([=](scalar* values)
-    {
-        std::fill_n(values, nRows, scalar(0));
-        for (label i = 0; i < nCells; ++i)
-        {
-            values[4*i + 3] = 1;
-        }
-    });
-}
-
-
-void Foam::fsbi::coupledSystem::set
+bool Foam::fsbi::coupledSystem::set
 (
     const boundaryValues& given,
     UList<bodyRows>& bodies,
-    const UList<elasticRows*>& elastic
+    const UList<elasticRows*>& elastic,
+    const loads* acting
 )
 {
     given_ = &given;
     bodies_ = &bodies;
     elastic_ = elastic;
+    loads_ = acting;
     values_ = given;
-    scales_ = rowScales(stokes_, bodies, elastic);
-    layout_ = systemLayout(mesh_.nCells(), elastic_, bodies.size());
-    state_.setSize(layout_.nDistributed());
-    result_.setSize(layout_.size());
-    if (!krylov_)
-    {
-        createKrylov();
-    }
-    coupling_.clear();
+    const stokesOperator& stokes = momentum_.viscous();
+    scales_ = rowScales(stokes, bodies, elastic);
+    layout_ =
+        systemLayout
+        (
+            stokes.stencil().mesh().nCells(), elastic_, bodies.size()
+        );
+    effects_.clear();
     if (loads_ && !loads_->empty())
     {
-        coupling_.reset
+        effects_.reset
         (
             new loadCoupling(*loads_, bodies, scales_.resistance())
         );
     }
-    renewIfStale();
+    return setSprings();
 }
 
 
-void Foam::fsbi::coupledSystem::renewIfStale()
+bool Foam::fsbi::coupledSystem::setSprings()
 {
     scalar rate = 0, springs = 0;
     forAll(elastic_, e)
     {
         elasticRows& body = *elastic_[e];
         body.springs = scalarField();
-        if (coupling_ && coupling_->onElastic())
+        if (effects_ && effects_->onElastic())
         {
             body.springs = loads_->springConstants(bodies_->size() + e);
             springs += sum(body.springs);
         }
         rate += body.rate;
     }
+    const auto changed = [](const scalar a, const scalar b, const scalar factor)
+    {
+        return max(a, b) > factor*min(a, b);
+    };
     if
     (
-        !freshRate_ || mag(rate - rate_) > 0.1*rate_
-     || max(springs, springs_) > springsChange*min(springs, springs_)
+        changed(rate, rate_, rateChange)
+     || changed(springs, springs_, springsChange)
     )
     {
-        preconditioner_->rebuild();
-        freshRate_ = 0;
         rate_ = rate;
         springs_ = springs;
+        return true;
     }
+    return false;
 }
 
 
@@ -153,141 +107,200 @@ Foam::scalar Foam::fsbi::coupledSystem::norm(const scalarList& rows)
 }
 
 
-void Foam::fsbi::coupledSystem::watch
+void Foam::fsbi::coupledSystem::addSurfaceForces
 (
-    const label iterations, const scalar accuracy
-)
+    const loads::onBodies& load, scalar* r
+) const
 {
-    const scalar rate = max(iterations, 1)/log10(1/accuracy);
-    if (!freshRate_)
+    forAll(elastic_, e)
     {
-        freshRate_ = rate;
-    }
-    else if (rate > renewAbove*freshRate_)
-    {
-        freshRate_ = 0;                 // the next solution builds a new one
+        const elasticRows& body = *elastic_[e];
+        vectorField force(body.surfaceForce(traction_));
+        if (effects_)
+        {
+            body.solid.addToFaces(load.triangles[bodies_->size() + e], force);
+        }
+        body.elastic->addLoad(force, r + layout_.elastic(e));
     }
 }
 
 
-Foam::fsbi::solverReport Foam::fsbi::coupledSystem::solve
+Foam::List<Foam::fsbi::sixVector> Foam::fsbi::coupledSystem::bodyForces
 (
-    const boundaryValues& given,
-    UList<bodyRows>& bodies,
-    scalarList& x,
-    vectorField& traction
-)
+    const loads::onBodies& load
+) const
 {
-    set(given, bodies, UList<elasticRows*>());
-
-    // right-hand side: minus the residual at rest
-    scalarList rhs(result_.size());
-    result_ = Zero;
-    residual(result_.cdata(), rhs.begin(), false);
-    forAll(rhs, i)
+    const fvMesh& mesh = momentum_.viscous().stencil().mesh();
+    List<sixVector> forces(bodyLoads(mesh, *bodies_, traction_));
+    for (label b = 0; effects_ && b < forces.size(); ++b)
     {
-        rhs[i] = -rhs[i];
+        forAll(forces[b], k)
+        {
+            forces[b][k] += load.whole[b][k];
+        }
     }
-    scalarList unknown(packed(x));
+    return forces;
+}
 
-    const matrixFreeKrylov::outcome outcome
+
+void Foam::fsbi::coupledSystem::addTethers
+(
+    const UList<vector>& tethers, scalar* r
+) const
+{
+    forAll(elastic_, e)
+    {
+        vector* row = layout_.displacement(e, r);
+        forAll(elastic_[e]->share, i)
+        {
+            row[i] -= elastic_[e]->share[i]*tethers[e];
+        }
+    }
+}
+
+
+Foam::vectorField Foam::fsbi::coupledSystem::meanDisplacements
+(
+    const scalar* x
+) const
+{
+    vectorField means(elastic_.size(), Zero);
+    if (!layout_.tethers())
+    {
+        return means;
+    }
+    forAll(elastic_, e)
+    {
+        const vector* u = layout_.displacement(e, x);
+        forAll(elastic_[e]->share, i)
+        {
+            means[e] += elastic_[e]->share[i]*u[i];
+        }
+    }
+    surfaceSide::sum(means);
+    return means;
+}
+
+
+void Foam::fsbi::coupledSystem::finishRows
+(
+    List<sixVector> defects, const vectorField& tethers, scalar* r
+) const
+{
+    scales_.apply(r);
+    forAll(defects, b)
+    {
+        forAll(defects[b], k)
+        {
+            defects[b][k] *= -scales_.bodies()[b][k];
+        }
+    }
+    layout_.write({defects, tethers}, r);
+}
+
+
+void Foam::fsbi::coupledSystem::residual(const scalar* x, scalar* r) const
+{
+    const systemLayout::whole now(layout_.read(x));
+    values_.faces = given_->faces;
+    values_.vertices = given_->vertices;
+    setBodyVelocities(momentum_.viscous(), *bodies_, now.velocities, values_);
+    forAll(elastic_, e)
+    {
+        const elasticRows& body = *elastic_[e];
+        body.residual(x + layout_.elastic(e), r + layout_.elastic(e));
+        body.setVelocity(body.surface(), values_);
+    }
+    momentum_.residual(x, values_, r, traction_);
+
+    loads::onBodies load;
+    if (effects_)
+    {
+        load = effects_->forces(now.velocities);
+    }
+    addSurfaceForces(load, r);
+    addTethers(now.tethers, r);
+    vectorField tethers(meanDisplacements(x));
+    forAll(tethers, e)
+    {
+        tethers[e] = elastic_[e]->rate*(tethers[e] - elastic_[e]->place);
+    }
+    finishRows
     (
-        krylov_->solve
-        (
-            rhs.cdata(), unknown.begin(), tolerance_, maxIterations_
-        )
+        bodyDefects(*bodies_, now.velocities, bodyForces(load)), tethers, r
     );
-    solverReport report;
-    report.iterations = outcome.iterations;
-    report.residual = outcome.residual;
-    report.converged = outcome.converged;
-
-    residual(unknown.cdata(), result_.data(), false);
-    unpack(unknown, x);
-    traction = traction_;
-    watch(report.iterations, tolerance_);
-    return report;
 }
 
 
-bool Foam::fsbi::coupledSystem::advance
-(
-    const scalarList& dx, scalarList& unknown
-)
+bool Foam::fsbi::coupledSystem::admissible(const scalarList& x)
 {
-    scalar part = 1;
-    for (label halving = 0; halving < maxHalvings; ++halving)
+    bool valid = true;
+    scalarList rows;
+    forAll(elastic_, e)
     {
-        scalarList tried(unknown);
-        forAll(tried, i)
-        {
-            tried[i] -= part*dx[i];
-        }
-        elasticResiduals(tried.cdata(), result_.begin(), false);
-        bool valid = true;
-        for (const elasticRows* body : elastic_)
-        {
-            valid = valid && body->elastic->valid();
-        }
-        if (valid)
-        {
-            unknown = tried;
-            return true;
-        }
-        part /= 2;
+        rows.setSize(elastic_[e]->elastic->size());
+        elastic_[e]->residual(x.cdata() + layout_.elastic(e), rows.begin());
+        valid = valid && elastic_[e]->elastic->valid();
     }
-    return false;
+    return valid;
 }
 
 
-Foam::fsbi::solverReport Foam::fsbi::coupledSystem::correct
+void Foam::fsbi::coupledSystem::applyJacobian
 (
-    const boundaryValues& given,
-    UList<bodyRows>& bodies,
-    const UList<elasticRows*>& elastic,
-    const bool first,
-    scalarList& x,
-    vectorField& traction
-)
+    const scalar* dx, scalar* dr
+) const
 {
-    set(given, bodies, elastic);
-    scalarList unknown(packed(x));
-    if (first)
-    {
-        // relative to the fluid and rigid bodies at rest
-        scalarList rest(unknown);
-        std::fill_n(rest.begin(), layout_.nFluid(), scalar(0));
-        systemLayout::whole still(layout_.read(rest.cdata()));
-        still.velocities = sixVector(Zero);
-        layout_.write(still, rest.begin());
-        residual(rest.cdata(), result_.begin(), false);
-        scale_ = norm(result_);
-    }
-    residual(unknown.cdata(), result_.begin(), false);
-    traction = traction_;
-
-    solverReport report;
-    report.corrections = 0;
-    const scalar size = norm(result_);
-    report.residual = size/max(scale_, VSMALL);
-    report.converged = report.residual <= tolerance_;
-    if (report.converged || !std::isfinite(report.residual))
-    {
-        return report;
-    }
-    const scalarList rhs(result_);
-    scalarList dx(rhs.size(), Zero);
-    const scalar accuracy = max(margin*tolerance_*scale_/size, forcing);
-    report.iterations = krylov_->solve
+    const systemLayout::whole change(layout_.read(dx));
+    values_.faces = Zero;
+    values_.vertices = Zero;
+    setBodyVelocities
     (
-        rhs.cdata(), dx.begin(), accuracy, maxIterations_
-    ).iterations;
-    watch(report.iterations, accuracy);
-    report.corrections = 1;
-    if (!advance(dx, unknown))
+        momentum_.viscous(), *bodies_, change.velocities, values_
+    );
+    List<vectorField> points(elastic_.size());
+    forAll(elastic_, e)
     {
-        report.failure = "a cell is turned inside out";
+        const elasticRows& body = *elastic_[e];
+        body.applyJacobian(dx + layout_.elastic(e), dr + layout_.elastic(e));
+        const surfaceDisplacement dd(body.surfaceIncrement());
+        body.setVelocityIncrement(dd, values_);
+        points[e] = dd.points;
     }
-    unpack(unknown, x);
-    return report;
+    momentum_.applyJacobian(dx, values_, dr, traction_);
+
+    loads::onBodies load;
+    if (effects_)
+    {
+        load = effects_->changes(change.velocities, points);
+    }
+    addSurfaceForces(load, dr);
+    addTethers(change.tethers, dr);
+    vectorField tethers(meanDisplacements(dx));
+    forAll(tethers, e)
+    {
+        tethers[e] *= elastic_[e]->rate;
+    }
+    finishRows
+    (
+        bodyDefectChanges(*bodies_, change.velocities, bodyForces(load)),
+        tethers, dr
+    );
+}
+
+
+void Foam::fsbi::coupledSystem::precondition(const scalar* r, scalar* z) const
+{
+    preconditioner_->apply(r, z);
+}
+
+
+void Foam::fsbi::coupledSystem::renewPreconditioner()
+{
+    if (!preconditioner_)
+    {
+        preconditioner_ =
+            coupledPreconditioner::New(preconditionerType_, *this);
+    }
+    preconditioner_->rebuild();
 }

@@ -5,10 +5,13 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "coupledSystem.H"
 
-Foam::scalarList Foam::fsbi::coupledSystem::packed(const scalarList& x) const
+Foam::scalarList Foam::fsbi::coupledSystem::packed
+(
+    const scalarList& cells
+) const
 {
-    scalarList unknown(layout_.size());
-    std::copy_n(x.begin(), layout_.nFluid(), unknown.begin());
+    scalarList x(layout_.size());
+    std::copy_n(cells.begin(), layout_.nFluid(), x.begin());
     systemLayout::whole bodies
     {
         List<sixVector>(bodies_->size()), vectorField(elastic_.size())
@@ -19,7 +22,7 @@ Foam::scalarList Foam::fsbi::coupledSystem::packed(const scalarList& x) const
         std::copy
         (
             body.x->begin(), body.x->end(),
-            unknown.begin() + layout_.elastic(e)
+            x.begin() + layout_.elastic(e)
         );
         bodies.tethers[e] = body.tether;
     }
@@ -27,24 +30,35 @@ Foam::scalarList Foam::fsbi::coupledSystem::packed(const scalarList& x) const
     {
         bodies.velocities[b] = (*bodies_)[b].velocity;
     }
-    layout_.write(bodies, unknown.begin());
-    return unknown;
+    layout_.write(bodies, x.begin());
+    return x;
+}
+
+
+Foam::scalarList Foam::fsbi::coupledSystem::atRest(const scalarList& x) const
+{
+    scalarList rest(x);
+    std::fill_n(rest.begin(), layout_.nFluid(), scalar(0));
+    systemLayout::whole still(layout_.read(rest.cdata()));
+    still.velocities = sixVector(Zero);
+    layout_.write(still, rest.begin());
+    return rest;
 }
 
 
 void Foam::fsbi::coupledSystem::unpack
 (
-    const scalarList& unknown, scalarList& x
+    const scalarList& x, scalarList& cells
 )
 {
-    std::copy_n(unknown.begin(), layout_.nFluid(), x.begin());
-    const systemLayout::whole bodies(layout_.read(unknown.cdata()));
+    std::copy_n(x.begin(), layout_.nFluid(), cells.begin());
+    const systemLayout::whole bodies(layout_.read(x.cdata()));
     forAll(elastic_, e)
     {
         elasticRows& body = *elastic_[e];
         std::copy_n
         (
-            unknown.begin() + layout_.elastic(e), body.x->size(),
+            x.begin() + layout_.elastic(e), body.x->size(),
             body.x->begin()
         );
         body.tether = bodies.tethers[e];

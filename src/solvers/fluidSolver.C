@@ -3,7 +3,7 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "coupledSystem.H"
+#include "coupledSolver.H"
 #include "SIMPLEC.H"
 
 Foam::autoPtr<Foam::fsbi::fluidSolver> Foam::fsbi::fluidSolver::New
@@ -24,7 +24,7 @@ Foam::autoPtr<Foam::fsbi::fluidSolver> Foam::fsbi::fluidSolver::New
     {
         return autoPtr<fluidSolver>(new SIMPLEC(mesh, momentum, dict));
     }
-    return autoPtr<fluidSolver>(new coupledSystem(mesh, momentum, dict));
+    return autoPtr<fluidSolver>(new coupledSolver(momentum, dict));
 }
 
 

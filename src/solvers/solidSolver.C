@@ -3,7 +3,7 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "NewtonKrylov.H"
+#include "elasticNewton.H"
 #include "segregated.H"
 
 Foam::autoPtr<Foam::fsbi::solidSolver> Foam::fsbi::solidSolver::New
@@ -28,7 +28,7 @@ Foam::autoPtr<Foam::fsbi::solidSolver> Foam::fsbi::solidSolver::New
     }
     else
     {
-        solver.reset(new NewtonKrylov(mesh, elastic, material, entries));
+        solver.reset(new elasticNewton(mesh, elastic, material, entries));
     }
     entries.finish();
     return solver;

@@ -9,6 +9,7 @@ from scipy.optimize import fsolve
 
 from fsbi import convergence, fields
 from fsbi.history import History
+from fsbi.steps import tried
 
 
 def history(case):
@@ -144,3 +145,18 @@ def test_pressure_falls_along_the_channel_as_in_the_tables(errors):
 def test_with_second_order(errors):
     # bound: 1.8, as for all that the second-order operator does
     assert convergence.orders(1 / np.array(ACROSS), np.abs(errors))[-1] > 1.8
+
+
+# A preconditioner changes how many iterations a solution takes, not the solution
+
+def test_body_moves_the_same_with_another_preconditioner():
+    velocities = [history(case)["bodies/tumourCell/velocity"] for case in ("block", "jacobi")]
+    expected, found = (np.array([v[k][-1] for k in "xyz"]) for v in velocities)
+    # bound: the solver's tolerance, 1e-8, times what a residual of the slowest
+    # component adds to a velocity: below the number of cells across, 100
+    assert np.linalg.norm(found - expected) < 1e-6 * np.linalg.norm(expected)
+
+
+def test_it_takes_more_iterations_without_multigrid():
+    iterations = [tried(case)[-1].iterations for case in ("block", "jacobi")]
+    assert iterations[1] > 3 * iterations[0]

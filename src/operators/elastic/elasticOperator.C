@@ -370,17 +370,21 @@ void Foam::fsbi::elasticOperator::residual
     }
     addFaces(stress_, held, boundaryForce_, r);
 
-    vectorField loads(nGhosts());
-    forAll(loads, g)
+    vectorField atGhosts(nGhosts());
+    forAll(atGhosts, g)
     {
-        loads[g] = load(g);
+        const label b = stencil_.ghostFaces()[g];
+        atGhosts[g] =
+            kinds_[b] == solidBoundary::displacement
+          ? given.faces[b]
+          : load(g);
     }
-    addBoundary(values_, gradient_, boundaryForce_, loads, false, r);
-    forAll(loads, g)
+    addBoundary(values_, gradient_, boundaryForce_, atGhosts, r);
+    forAll(atGhosts, g)
     {
         if (kinds_[stencil_.ghostFaces()[g]] == solidBoundary::traction)
         {
-            boundaryForce_[g] = loads[g];
+            boundaryForce_[g] = atGhosts[g];
         }
     }
     if (mixed_)
@@ -422,13 +426,16 @@ void Foam::fsbi::elasticOperator::tangent(const scalar* dx, scalar* dr) const
     }
     addFaces(dStress_, held, dBoundaryForce_, dr);
 
-    vectorField loads(nGhosts());
-    forAll(loads, g)
+    vectorField atGhosts(nGhosts(), Zero);
+    forAll(atGhosts, g)
     {
-        loads[g] =
-            loadTangent(g, faceMean(stencil_.firstBoundary() + g, dGradient_));
+        const label i = stencil_.firstBoundary() + g;
+        if (kindAt(i) != solidBoundary::displacement)
+        {
+            atGhosts[g] = loadTangent(g, faceMean(i, dGradient_));
+        }
     }
-    addBoundary(dValues_, dGradient_, dBoundaryForce_, loads, true, dr);
+    addBoundary(dValues_, dGradient_, dBoundaryForce_, atGhosts, dr);
     if (mixed_)
     {
         addPressures(volume, dPressure_, dr);

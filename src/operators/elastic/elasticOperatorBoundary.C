@@ -84,8 +84,7 @@ void Foam::fsbi::elasticOperator::addBoundary
     const vectorField& values,
     const tensorField& gradient,
     const vectorField& force,
-    const vectorField& load,
-    const bool homogeneous,
+    const vectorField& given,
     scalar* r
 ) const
 {
@@ -97,28 +96,23 @@ void Foam::fsbi::elasticOperator::addBoundary
         const label P = stencil_.owner()[i];
         const vector& uP = values[P];
         const vector& uG = values[stencil_.neighbour()[i]];
-        const label b = stencil_.ghostFaces()[g];
-        switch (kinds_[b])
+        switch (kindAt(i))
         {
             case solidBoundary::displacement:
             {
                 // parabola through the cell, with its slope, and the face
                 const tensor slope(cellMean(P, gradient));
                 const vector uFoot(uP + (slope & footToFace(g)));
-                const vector uB
-                (
-                    homogeneous ? vector::zero : given_->faces[b]
-                );
                 row[P] -= force[g];
                 ghostRow[g] =
-                    0.5*(uG - uP) - 2*(uB - uFoot)
+                    0.5*(uG - uP) - 2*(given[g] - uFoot)
                   + 0.5*(slope & stencil_.delta()[i]);
                 break;
             }
             case solidBoundary::traction:
             {
-                row[P] -= load[g];
-                ghostRow[g] = this->ghostRow(g, force[g] - load[g]);
+                row[P] -= given[g];
+                ghostRow[g] = this->ghostRow(g, force[g] - given[g]);
                 break;
             }
             default:

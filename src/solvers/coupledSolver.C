@@ -1,0 +1,139 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "coupledSolver.H"
+
+Foam::fsbi::coupledSolver::coupledSolver
+(
+    const momentumEquation& momentum, const dictionary& dict
+)
+:
+    closed_(momentum.viscous().closed())
+{
+    const checkedDictionary entries(dict);
+    knowOthers(entries);
+    tolerance_ = entries.tolerance("tolerance", 1e-6);
+    maxIterations_ = entries.count("maxIterations", 300);
+    system_.reset
+    (
+        new coupledSystem
+        (
+            momentum,
+            entries.choice
+            (
+                "preconditioner", coupledPreconditioner::types(),
+                "blockTriangular"
+            )
+        )
+    );
+    entries.finish();
+}
+
+
+void Foam::fsbi::coupledSolver::createNewton()
+{
+    newton_.reset
+    (
+        new NewtonKrylov(system_(), "fsbiKrylov_", 60, maxIterations_)
+    );
+    // the pressure on an elastic body, held all around or not, is felt
+    if (!closed_ || !system_->linear())
+    {
+        return;
+    }
+    newton_->setNullVector([this](scalar* values)
+    {
+        std::fill_n(values, system_->size(), scalar(0));
+        for (label i = 3; i < system_->layout().nFluid(); i += 4)
+        {
+            values[i] = 1;
+        }
+    });
+}
+
+
+Foam::scalar Foam::fsbi::coupledSolver::evaluate(const scalarList& x)
+{
+    rows_.setSize(x.size());
+    system_->residual(x.cdata(), rows_.begin());
+    return coupledSystem::norm(rows_);
+}
+
+
+Foam::fsbi::solverReport Foam::fsbi::coupledSolver::improve(scalarList& x)
+{
+    solverReport report;
+    report.corrections = 0;
+    const scalar norm = evaluate(x);
+    report.residual = norm/max(scale_, VSMALL);
+    report.converged = report.residual <= tolerance_;
+    if (report.converged || !std::isfinite(report.residual))
+    {
+        return report;
+    }
+    const bool solved =
+        newton_->correct(rows_, norm, tolerance_*scale_, x, report);
+    if (system_->linear())
+    {
+        report.residual = evaluate(x)/scale_;
+        report.converged = solved;
+    }
+    return report;
+}
+
+
+Foam::fsbi::solverReport Foam::fsbi::coupledSolver::solve
+(
+    const boundaryValues& given,
+    UList<bodyRows>& bodies,
+    scalarList& cells,
+    vectorField& traction
+)
+{
+    solverReport report
+    (
+        correct(given, bodies, UList<elasticRows*>(), true, cells, traction)
+    );
+    report.corrections = 1;
+    return report;
+}
+
+
+Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
+(
+    const boundaryValues& given,
+    UList<bodyRows>& bodies,
+    const UList<elasticRows*>& elastic,
+    const bool first,
+    scalarList& cells,
+    vectorField& traction
+)
+{
+    const bool stale = system_->set(given, bodies, elastic, loads_);
+    if (!newton_)
+    {
+        createNewton();
+    }
+    if (stale)
+    {
+        newton_->renewPreconditioner();
+    }
+    scalarList x(system_->packed(cells));
+    if (first)
+    {
+        const scalarList rest(system_->atRest(x));
+        scale_ = evaluate(rest);
+        if (system_->linear() && scale_ < VSMALL)
+        {
+            // nothing moves: from another guess no tolerance would be
+            // reached, as it is relative to nothing
+            x = rest;
+        }
+    }
+    const solverReport report(improve(x));
+    traction = system_->traction();
+    system_->unpack(x, cells);
+    return report;
+}

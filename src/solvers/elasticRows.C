@@ -1,0 +1,132 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "elasticRows.H"
+
+void Foam::fsbi::elasticRows::residual(const scalar* x, scalar* r) const
+{
+    elastic->residual(x, *given, r);
+    forAll(mass, celli)
+    {
+        for (direction k = 0; k < 3; ++k)
+        {
+            const label i = 3*celli + k;
+            r[i] += mass[celli]*x[i] - force[celli][k];
+        }
+    }
+}
+
+
+void Foam::fsbi::elasticRows::applyJacobian(const scalar* dx, scalar* dr) const
+{
+    elastic->tangent(dx, dr);
+    forAll(mass, celli)
+    {
+        for (label i = 3*celli; i < 3*celli + 3; ++i)
+        {
+            dr[i] += mass[celli]*dx[i];
+        }
+    }
+}
+
+
+Foam::fsbi::surfaceDisplacement Foam::fsbi::elasticRows::surface() const
+{
+    vectorField moving(elastic->boundaryDisplacement());
+    for (const label i : solid.faces)
+    {
+        if (elastic->kinds()[i] == solidBoundary::displacement)
+        {
+            moving[i] = given->faces[i];
+        }
+    }
+    surfaceDisplacement d
+    {
+        solid.collectFaces(moving) + movedFaces,
+        solid.collectPoints(elastic->vertexDisplacement()) + movedPoints
+    };
+    forAll(d.points, i)
+    {
+        if (heldPoints[i])
+        {
+            d.points[i] = heldAt[i];
+        }
+    }
+    return d;
+}
+
+
+Foam::fsbi::surfaceDisplacement
+Foam::fsbi::elasticRows::surfaceIncrement() const
+{
+    vectorField moving(elastic->boundaryIncrement());
+    for (const label i : solid.faces)
+    {
+        if (elastic->kinds()[i] == solidBoundary::displacement)
+        {
+            moving[i] = Zero;
+        }
+    }
+    surfaceDisplacement d
+    {
+        solid.collectFaces(moving),
+        solid.collectPoints(elastic->vertexIncrement())
+    };
+    forAll(d.points, i)
+    {
+        if (heldPoints[i])
+        {
+            d.points[i] = Zero;
+        }
+    }
+    return d;
+}
+
+
+Foam::fsbi::surfaceDisplacement Foam::fsbi::elasticRows::split
+(
+    const vectorField& both
+) const
+{
+    return
+    {
+        vectorField(SubField<vector>(both, solid.nFaces, solid.nPoints)),
+        vectorField(SubField<vector>(both, solid.nPoints))
+    };
+}
+
+
+void Foam::fsbi::elasticRows::setVelocity
+(
+    const surfaceDisplacement& d, boundaryValues& values
+) const
+{
+    fluid.spreadFaces(vectorField(rate*d.faces + knownFaces), values.faces);
+    fluid.spreadPoints
+    (
+        vectorField(rate*d.points + knownPoints), values.vertices
+    );
+}
+
+
+void Foam::fsbi::elasticRows::setVelocityIncrement
+(
+    const surfaceDisplacement& dd, boundaryValues& values
+) const
+{
+    fluid.spreadFaces(vectorField(rate*dd.faces), values.faces);
+    fluid.spreadPoints(vectorField(rate*dd.points), values.vertices);
+}
+
+
+Foam::vectorField Foam::fsbi::elasticRows::surfaceForce
+(
+    const vectorField& traction
+) const
+{
+    vectorField onFaces(elastic->kinds().size(), Zero);
+    solid.spreadFaces(-fluid.collectFaces(traction), onFaces);
+    return onFaces;
+}
