@@ -15,6 +15,12 @@ namespace fsbi
 //- Of the pressure stabilisation: larger is smoother, and less local
 static const scalar stabilisationScale = 1;
 
+//- Of a fluid with inertia: the stabilisation over that of inertia alone, at
+//  most. A larger one costs iterations in short steps; at 1 it would fall with
+//  the step wherever inertia outweighs viscosity, and pressures that alternate
+//  from cell to cell would grow
+static const scalar stiffest = 5;
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -146,6 +152,21 @@ void Foam::fsbi::stokesOperator::setStabilisation()
     {
         stabilisation_[celli] =
             stabilisationScale*mesh_.cellVolumes()[celli]/diagonal[celli];
+    }
+    stencil_.halo().fill(stabilisation_.data(), 1);
+}
+
+
+void Foam::fsbi::stokesOperator::limitStabilisation
+(
+    const scalarField& massRate
+)
+{
+    forAll(massRate, celli)
+    {
+        stabilisation_[celli] =
+            mesh_.cellVolumes()[celli]
+           /(diagonal_[celli] + massRate[celli]/stiffest);
     }
     stencil_.halo().fill(stabilisation_.data(), 1);
 }
@@ -348,6 +369,82 @@ void Foam::fsbi::stokesOperator::residual
     schemes_.linearFaces ? addInnerFaces<true>(r) : addInnerFaces<false>(r);
     addWarp(r);
     addBoundaryFaces(b, r, traction);
+}
+
+
+void Foam::fsbi::stokesOperator::addAdvection
+(
+    const scalarField& massFlux, const boundaryValues& b, scalar* r
+) const
+{
+    const label nCells = mesh_.nCells();
+    const auto reconstructed = [&](const label celli, const vector& way)
+    {
+        const scalar* x = values_.cdata() + 4*celli;
+        const scalar* g = gradients_.cdata() + 12*celli;
+        return vector
+        (
+            x[0] + (vector(g[0], g[1], g[2]) & way),
+            x[1] + (vector(g[3], g[4], g[5]) & way),
+            x[2] + (vector(g[6], g[7], g[8]) & way)
+        );
+    };
+    const auto add = [&](const label celli, const vector& momentum)
+    {
+        r[4*celli] += momentum.x();
+        r[4*celli + 1] += momentum.y();
+        r[4*celli + 2] += momentum.z();
+    };
+    const auto addInner = [&](const label i, const scalar flux)
+    {
+        const label P = stencil_.owner()[i];
+        const label N = stencil_.neighbour()[i];
+        const vector carried
+        (
+            0.5*flux
+           *(
+                reconstructed(P, stencil_.fromOwner()[i])
+              + reconstructed(N, stencil_.fromNeighbour()[i])
+            )
+        );
+        add(P, carried);
+        if (N < nCells)
+        {
+            add(N, -carried);
+        }
+    };
+    for (label i = 0; i < mesh_.nInternalFaces(); ++i)
+    {
+        addInner(i, massFlux[i]);
+    }
+    label inner = mesh_.nInternalFaces();
+    for (const label patchi : stencil_.halo().patches())
+    {
+        const polyPatch& pp = mesh_.boundaryMesh()[patchi];
+        forAll(pp, k)
+        {
+            addInner(inner++, massFlux[pp.start() + k]);
+        }
+    }
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        for (label k = 0; !pp.coupled() && k < pp.size(); ++k)
+        {
+            const label facei = pp.start() + k;
+            const label i = facei - mesh_.nInternalFaces();
+            const label P = mesh_.faceOwner()[facei];
+            const vector u
+            (
+                velocityGiven_[i]
+              ? b.faces[i]
+              : reconstructed
+                (
+                    P, mesh_.faceCentres()[facei] - mesh_.cellCentres()[P]
+                )
+            );
+            add(P, massFlux[facei]*u);
+        }
+    }
 }
 
 

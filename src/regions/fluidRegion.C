@@ -20,7 +20,7 @@ Foam::fsbi::fluidRegion::fluidRegion
     time_(time),
     timings_(t),
     rigidBodies_(rigidBodies),
-    mu_(readViscosity(time)),
+    material_(readMaterial(time)),
     mesh_(time, bodies, t, savedMesh),
     conditions_(time, mesh_)
 {
@@ -36,12 +36,27 @@ Foam::fsbi::fluidRegion::fluidRegion
         createFields();
     }
     setState();
+    momentum_.reset
+    (
+        new momentumEquation
+        (
+            mesh(), material_.get<scalar>("viscosity"),
+            momentumTerm::all(mesh(), material_)
+        )
+    );
     createOperators();
     conditions_.evaluate(U_(), stokes(), given_);      // mistakes show now
+    momentum_->restore(savedMesh.subOrEmptyDict("momentum"), x_, given_);
+    if (momentum_->terms().size())
+    {
+        Info<< "Momentum equation with: ";
+        momentum_->tellNames(Info);
+        Info<< nl << endl;
+    }
 }
 
 
-Foam::scalar Foam::fsbi::fluidRegion::readViscosity(const Time& time)
+Foam::dictionary Foam::fsbi::fluidRegion::readMaterial(const Time& time)
 {
     const IOdictionary material
     (
@@ -54,9 +69,13 @@ Foam::scalar Foam::fsbi::fluidRegion::readViscosity(const Time& time)
     const checkedDictionary entries(material);
     entries.found("FoamFile");
     entries.choice("type", {"Newtonian"});
-    const scalar viscosity = entries.positive("viscosity");
+    entries.positive("viscosity");
+    for (const word& term : momentumTerm::names())
+    {
+        entries.found(term);
+    }
     entries.finish();
-    return viscosity;
+    return material;
 }
 
 
@@ -81,6 +100,12 @@ void Foam::fsbi::fluidRegion::save(dictionary& state) const
 {
     mesh_.save(state);
     state.set("startVelocity", conditions_.startVelocity());
+    dictionary memory;
+    momentum_->save(memory);
+    if (memory.size())
+    {
+        state.set("momentum", memory);
+    }
 }
 
 
@@ -165,13 +190,7 @@ void Foam::fsbi::fluidRegion::createOperators()
             "gradients", stokesOperator::gradientSchemes.names(), "vertex"
         )
     ];
-    momentum_.reset
-    (
-        new momentumEquation
-        (
-            mesh(), mu_, conditions_.velocityGiven(U_()), schemes
-        )
-    );
+    momentum_->set(conditions_.velocityGiven(U_()), schemes);
     linkBodies();
     createSolver();
 }
@@ -205,6 +224,13 @@ void Foam::fsbi::fluidRegion::checkIntegrators(const dictionary& coupling) const
 }
 
 
+void Foam::fsbi::fluidRegion::beginStep()
+{
+    oldX_ = x_;
+    momentum_->beginStep();
+}
+
+
 void Foam::fsbi::fluidRegion::rewind()
 {
     if (oldX_.size() == x_.size())
@@ -227,7 +253,7 @@ bool Foam::fsbi::fluidRegion::follow(string& reason)
         {
             // what stands on the mesh that is about to go
             solver_.clear();
-            momentum_.clear();
+            momentum_->release();
             U_.clear();
             p_.clear();
         }
@@ -311,6 +337,7 @@ void Foam::fsbi::fluidRegion::write
     mesh_.write(add);
     add(U_());
     add(p_());
+    momentum_->write(add);
 }
 
 

@@ -308,6 +308,10 @@ void Foam::fsbi::scene::endStep()
     {
         solid.endStep();
     }
+    if (fluid_)
+    {
+        fluid_->endStep();
+    }
     if (effects_)
     {
         effects_->endStep();

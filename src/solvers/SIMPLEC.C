@@ -115,6 +115,10 @@ void Foam::fsbi::SIMPLEC::createMatrices()
             )
         ).ptr()
     );
+    if (equation_.massRate().size())
+    {
+        momentum_->diag() += equation_.massRate();
+    }
     scalarField diagonal(momentum_->D());
     scalarField offDiagonal(mesh_.nCells(), Zero);
     momentum_->sumMagOffDiag(offDiagonal);
@@ -314,7 +318,7 @@ Foam::fsbi::solverReport Foam::fsbi::SIMPLEC::solve
     SolverPerformance<vector>::debug = 0;
 
     createMatrices();
-    scales_ = rowScales(stokes_, bodies);
+    scales_ = rowScales(equation_, bodies);
     List<sixVector> v(bodies.size(), sixVector(scalar(0)));
     evaluate(given, bodies, v, scalarList(x.size(), Zero));
     const scalar atRest = max(norm(bodies, v), VSMALL);

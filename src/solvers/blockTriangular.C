@@ -28,8 +28,8 @@ Foam::fsbi::blockTriangular::blockTriangular(const coupledSystem& system)
     coupledPreconditioner(system),
     cells_
     (
-        system.momentum().viscous().stencil().mesh(),
-        system.momentum().viscous(), system.elastic()
+        system.momentum().viscous().stencil().mesh(), system.momentum(),
+        system.elastic()
     ),
     rows_(system.layout().nDistributed())
 {

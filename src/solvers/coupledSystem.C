@@ -12,8 +12,8 @@ namespace Foam
 namespace fsbi
 {
 
-//- Factors by which velocity per displacement, and springs, may change with the
-//  same preconditioner
+//- Factors by which velocity per displacement and the fluid's force per velocity,
+//  and springs, may change with the same preconditioner
 static const scalar rateChange = 1.1;
 static const scalar springsChange = 1.5;
 
@@ -46,7 +46,7 @@ bool Foam::fsbi::coupledSystem::set
     loads_ = acting;
     values_ = given;
     const stokesOperator& stokes = momentum_.viscous();
-    scales_ = rowScales(stokes, bodies, elastic);
+    scales_ = rowScales(momentum_, bodies, elastic);
     layout_ =
         systemLayout
         (
@@ -86,10 +86,12 @@ bool Foam::fsbi::coupledSystem::setSprings()
     (
         changed(rate, rate_, rateChange)
      || changed(springs, springs_, springsChange)
+     || changed(momentum_.densityRate(), densityRate_, rateChange)
     )
     {
         rate_ = rate;
         springs_ = springs;
+        densityRate_ = momentum_.densityRate();
         return true;
     }
     return false;

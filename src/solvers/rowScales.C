@@ -8,30 +8,40 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Foam::fsbi::rowScales::rowScales
 (
-    const stokesOperator& stokes,
+    const momentumEquation& momentum,
     const UList<bodyRows>& bodies,
     const UList<elasticRows*>& elastic
 )
 :
-    momentum_(stokes.diagonal().size()),
-    continuity_(stokes.diagonal().size()),
+    momentum_(momentum.viscous().diagonal().size()),
+    continuity_(momentum_.size()),
     bodies_(bodies.size()),
     resistance_(bodies.size())
 {
+    const stokesOperator& stokes = momentum.viscous();
     const scalarField& V = stokes.stencil().mesh().cellVolumes();
     forAll(V, i)
     {
         momentum_[i] = 1/stokes.diagonal()[i];
         continuity_[i] = 1/cbrt(sqr(V[i]));
     }
+    forAll(momentum.massRate(), i)
+    {
+        momentum_[i] = 1/(stokes.diagonal()[i] + momentum.massRate()[i]);
+    }
     const scalar pi = constant::mathematical::pi;
     forAll(bodies, b)
     {
         const bodyRows& body = bodies[b];
         const scalar a = body.radius;
-        const scalar drag = 6*pi*stokes.mu()*a + body.massRate;
+        // a sphere in unsteady Stokes flow, l the radius over the depth that
+        // momentum reaches in a step
+        const scalar l = a*Foam::sqrt(momentum.densityRate()/stokes.mu());
+        const scalar drag =
+            6*pi*stokes.mu()*a*(1 + l + sqr(l)/9) + body.massRate;
         const scalar spin =
-            8*pi*stokes.mu()*pow3(a) + tr(body.inertiaRate)/3;
+            8*pi*stokes.mu()*pow3(a)*(1 + sqr(l)/(3 + 3*l))
+          + tr(body.inertiaRate)/3;
         for (label k = 0; k < 6; ++k)
         {
             resistance_[b][k] = body.free[k] ? (k < 3 ? drag : spin) : 1;

@@ -9,18 +9,19 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Foam::fsbi::stokesPreconditioner::stokesPreconditioner
 (
     const fvMesh& mesh,
-    const stokesOperator& stokes,
+    const momentumEquation& momentum,
     const UList<elasticRows*>& elastic
 )
 :
     mesh_(mesh),
-    stokes_(stokes),
+    momentum_(momentum),
+    stokes_(momentum.viscous()),
     nRows_(mesh.nCells()),
-    pressure_(mesh.nCells() + stokes.stencil().halo().size())
+    pressure_(mesh.nCells() + momentum.viscous().stencil().halo().size())
 {
     for (const elasticRows* body : elastic)
     {
-        elastic_.append(new elasticBlock(*body, stokes, nRows_));
+        elastic_.append(new elasticBlock(*body, stokes_, nRows_));
         elasticSize_.append(body->elastic->size());
         nRows_ += elastic_.last().nRows();
     }
@@ -68,11 +69,25 @@ void Foam::fsbi::stokesPreconditioner::addFluid
 }
 
 
+void Foam::fsbi::stokesPreconditioner::addMass
+(
+    const globalIndex& rows, compactEntries& entries
+) const
+{
+    forAll(momentum_.massRate(), i)
+    {
+        const label row = rows.toGlobal(i);
+        entries.add(row, row, momentum_.massRate()[i]);
+    }
+}
+
+
 void Foam::fsbi::stokesPreconditioner::setMatrix()
 {
     const globalIndex rows(nRows_);
     compactEntries entries;
     addFluid(rows, entries);
+    addMass(rows, entries);
     for (elasticBlock& body : elastic_)
     {
         body.addEntries(rows, entries);
@@ -88,15 +103,12 @@ void Foam::fsbi::stokesPreconditioner::setMatrix()
 void Foam::fsbi::stokesPreconditioner::rebuild()
 {
     setMatrix();
-    PC pc;
-    petscCheck(KSPCreate(PETSC_COMM_WORLD, cycle_.create()));
-    petscCheck(KSPSetType(cycle_, KSPPREONLY));
-    petscCheck(KSPGetPC(cycle_, &pc));
-    petscCheck(PCSetType(pc, PCGAMG));
-    petscCheck(KSPSetOptionsPrefix(cycle_, "fsbi_"));
-    petscCheck(KSPSetFromOptions(cycle_));
-    petscCheck(KSPSetOperators(cycle_, matrix_, matrix_));
-    petscCheck(KSPSetUp(cycle_));
+    createCycle(matrix_, cycle_);
+    inertial_.clear();
+    if (momentum_.massRate().size())
+    {
+        inertial_.reset(new inertialPressure(momentum_));
+    }
 }
 
 
@@ -113,6 +125,10 @@ void Foam::fsbi::stokesPreconditioner::apply
     for (label i = 0; i < n; ++i)
     {
         pressure_[i] = stokes_.mu()/V[i]*r[4*i + 3];
+    }
+    if (inertial_)
+    {
+        inertial_->apply(pressure_);
     }
     stencil.halo().fill(pressure_.data(), 1);
 

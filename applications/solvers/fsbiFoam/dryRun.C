@@ -115,6 +115,12 @@ void Foam::fsbi::dryRun::tellScene(const scene& scene) const
         Info<< "none";
     }
     Info<< nl;
+    if (scene.hasFluid() && scene.fluid().momentum().terms().size())
+    {
+        Info<< "    momentum     ";
+        scene.fluid().momentum().tellNames(Info);
+        Info<< nl;
+    }
 }
 
 

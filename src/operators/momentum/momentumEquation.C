@@ -1,0 +1,152 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "momentumEquation.H"
+
+Foam::fsbi::momentumEquation::momentumEquation
+(
+    const fvMesh& mesh, const scalar mu, PtrList<momentumTerm>&& terms
+)
+:
+    mesh_(mesh),
+    mu_(mu),
+    terms_(std::move(terms))
+{}
+
+
+Foam::fsbi::momentumEquation::momentumEquation
+(
+    const fvMesh& mesh, const scalar mu, const boolList& velocityGiven
+)
+:
+    momentumEquation(mesh, mu, PtrList<momentumTerm>())
+{
+    set(velocityGiven, stokesOperator::schemes());
+}
+
+
+void Foam::fsbi::momentumEquation::set
+(
+    const boolList& velocityGiven, const stokesOperator::schemes& s
+)
+{
+    viscous_.reset(new stokesOperator(mesh_, mu_, velocityGiven, s));
+    for (momentumTerm& term : terms_)
+    {
+        term.renew();
+    }
+    setMassRate();
+}
+
+
+void Foam::fsbi::momentumEquation::release()
+{
+    for (momentumTerm& term : terms_)
+    {
+        term.release();
+    }
+    viscous_.clear();
+}
+
+
+void Foam::fsbi::momentumEquation::setMassRate()
+{
+    if (terms_.empty())
+    {
+        return;
+    }
+    massRate_.setSize(mesh_.nCells());
+    massRate_ = 0;
+    for (momentumTerm& term : terms_)
+    {
+        term.update();
+        term.addMassRate(massRate_);
+    }
+    densityRate_ = gSum(massRate_)/gSum(mesh_.cellVolumes());
+    if (!densityRate_)
+    {
+        massRate_.clear();
+    }
+    viscous_->limitStabilisation(massRate_);
+}
+
+
+void Foam::fsbi::momentumEquation::update()
+{
+    viscous_->update();
+    setMassRate();
+}
+
+
+void Foam::fsbi::momentumEquation::tellNames(Ostream& os) const
+{
+    forAll(terms_, i)
+    {
+        os << (i ? " " : "") << terms_[i].type().c_str();
+    }
+}
+
+
+void Foam::fsbi::momentumEquation::beginStep()
+{
+    for (momentumTerm& term : terms_)
+    {
+        term.beginStep();
+    }
+}
+
+
+void Foam::fsbi::momentumEquation::endStep(const scalarList& x)
+{
+    for (momentumTerm& term : terms_)
+    {
+        term.endStep(viscous_(), x);
+    }
+}
+
+
+void Foam::fsbi::momentumEquation::write
+(
+    const std::function<void(const regIOobject&)>& add
+) const
+{
+    for (const momentumTerm& term : terms_)
+    {
+        term.write(add);
+    }
+}
+
+
+void Foam::fsbi::momentumEquation::save(dictionary& state) const
+{
+    for (const momentumTerm& term : terms_)
+    {
+        dictionary dict;
+        term.save(dict);
+        if (dict.size())
+        {
+            state.set(term.type(), dict);
+        }
+    }
+}
+
+
+void Foam::fsbi::momentumEquation::restore
+(
+    const dictionary& state, const scalarList& x, const boundaryValues& given
+)
+{
+    if (terms_.empty())
+    {
+        return;
+    }
+    scalarList r(x.size());
+    vectorField traction(viscous_->nBoundaryFaces());
+    viscous_->residual(x.cdata(), given, r.begin(), traction);
+    for (momentumTerm& term : terms_)
+    {
+        term.restore(viscous_(), state.subOrEmptyDict(term.type()), x);
+    }
+}

@@ -1,0 +1,67 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "volumeForces.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+defineTypeNameAndDebug(volumeForces, 0);
+addToRunTimeSelectionTable(momentumTerm, volumeForces, entries);
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::fsbi::volumeForces::volumeForces
+(
+    const fvMesh& mesh, const dictionary& dict
+)
+:
+    momentumTerm(mesh)
+{
+    for (const entry& e : dict)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry '" << e.keyword() << "' is no dictionary: a force is"
+                << " name { type gravity; ... }" << exit(FatalIOError);
+        }
+        forces_.append(volumeForce::New(e.dict()));
+    }
+}
+
+
+void Foam::fsbi::volumeForces::update()
+{
+    onCells_.setSize(mesh_.nCells());
+    onCells_ = Zero;
+    for (const volumeForce& force : forces_)
+    {
+        force.add(mesh_.cellCentres(), mesh_.time().value(), onCells_);
+    }
+    onCells_ *= mesh_.cellVolumes();
+}
+
+
+void Foam::fsbi::volumeForces::addResidual
+(
+    const stokesOperator&,
+    const scalar*,
+    const boundaryValues&,
+    scalar* r
+) const
+{
+    forAll(onCells_, i)
+    {
+        r[4*i] -= onCells_[i].x();
+        r[4*i + 1] -= onCells_[i].y();
+        r[4*i + 2] -= onCells_[i].z();
+    }
+}
