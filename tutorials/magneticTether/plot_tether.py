@@ -31,7 +31,8 @@ time = [row["time"] * 1e-3 for row in rows]
 
 figure, (drift, force, current) = plots.plt.subplots(3, 1, figsize=(6.4, 8), sharex=True)
 for i, (history, label) in enumerate(((magnets, "magnets"), (free, "nothing"))):
-    drift.semilogy(*away(history), color=plots.COLOURS[i], label=f"held by {label}, from the tethered one")
+    drift.semilogy(*away(history), color=plots.COLOURS[i],
+                   label=f"held by {label}, from the tethered one")
 drift.axhline(0.01 * RADIUS, color="0.5", ls=":", label="1 % of the radius")
 drift.set(ylabel="distance (µm)")
 drift.set_title("A microbead beside a wall, held by coils", loc="left")

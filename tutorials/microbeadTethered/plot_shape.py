@@ -34,7 +34,7 @@ load.legend(ncols=2)
 plots.save(figure, "shape.png")
 
 balance = np.linalg.norm(tether + force, axis=1) / np.linalg.norm(force, axis=1)
-print("    semi-axes      ", ", ".join(f"{axes[n][-1]:.3f}" for n in
-                                     ("longest", "middle", "shortest")), "µm")
+print("    semi-axes      ",
+      ", ".join(f"{axes[n][-1]:.3f}" for n in ("longest", "middle", "shortest")), "µm")
 print(f"    force of fluid  {1e3 * force[-1, 0]:.2f}, {1e3 * force[-1, 1]:.2f} pN (x, y)")
 print(f"    tether + fluid  {balance.max():.1e} of the force, at most")

@@ -21,7 +21,6 @@ FACTOR = 0.8**1.5 * 4e-7 * np.pi * 100 / 0.05       # of the Helmholtz pairs, T/
 results = Results("B5")
 
 
-
 def crossings(a, b):
     """How often two paths cross."""
     r, s = np.diff(a, axis=0)[:, None], np.diff(b, axis=0)[None]
@@ -91,19 +90,19 @@ for folder in sorted(glob.glob("runs/*")):
     there &= control["leg"] == control["leg"].max()
     # bound: they stay there for a row of the history and more
     results.at_least(f"rest_at_targets_{name}", there.mean(), 0.01)
-    I = np.array([control["I." + i] for i in "xyz"]).T
+    current = np.array([control["I." + i] for i in "xyz"]).T
     on = control["mode"] > 0
     # bound: the currents' own limit
-    results.add(f"largest_current_{name}_abs", np.abs(I).max(), 0, LIMIT)
+    results.add(f"largest_current_{name}_abs", np.abs(current).max(), 0, LIMIT)
     # the currents' own field is the one that bodies are in, the same for all
     for body in targets:
         magnet = run.history[f"effects/magnetics/{body}"]
         B = np.array([magnet["B" + i] for i in "xyz"]).T
         # bound: B and I come from one formula; ten times its constants' digits
         results.add(f"field_at_{body}_{name}_abs",
-                    np.abs(B - FACTOR * I).max() / FIELD, 0, 1e-5)
+                    np.abs(B - FACTOR * current).max() / FIELD, 0, 1e-5)
     # bound: no current is none
-    results.add(f"field_when_off_{name}_abs", np.abs(I[~on]).max(initial=0), 0, 0)
+    results.add(f"field_when_off_{name}_abs", np.abs(current[~on]).max(initial=0), 0, 0)
     if name == "crossing":
         obstacle(run, {"weak": (-15, 0, 5.6), "middle": (18, -21, 5.6)}, targets,
                  control["time"][there].min(initial=np.inf))

@@ -49,7 +49,9 @@ def ends_on_grid(low, n):
 
 def polish(function, start, low):
     """The least value in the box; coordinates beyond it are brought back."""
-    inside = lambda x: np.clip(x, low, np.pi)
+    def inside(x):
+        return np.clip(x, low, np.pi)
+
     for _ in range(3):
         found = minimize(lambda x: function(inside(x)), start, method="Nelder-Mead",
                          options=dict(xatol=1e-13, fatol=1e-16, maxiter=4000))

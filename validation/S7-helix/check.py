@@ -150,13 +150,13 @@ def inertia():
 def from_rest(R, t, torque):
     """u along z and w after times t at a given torque, or None: with the given
     speed w from the start."""
-    m, I = inertia()
+    m, turned = inertia()
     if torque is None:
         values, modes = np.linalg.eigh(R[:2, :2] / m)
         end = np.linalg.solve(R[:2, :2], -R[:2, 2])
         way = end[:, None] - modes @ (np.exp(-np.outer(values, t)) * (modes.T @ end)[:, None])
         return way[1] * SPIN, np.full(len(t), SPIN)
-    root = np.sqrt([m, m, I])
+    root = np.sqrt([m, m, turned])
     values, modes = np.linalg.eigh(R / np.outer(root, root))
     end = np.linalg.solve(R, [0, 0, torque]) * root
     way = end[:, None] - modes @ (np.exp(-np.outer(values, t)) * (modes.T @ end)[:, None])

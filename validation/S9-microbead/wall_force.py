@@ -105,6 +105,7 @@ class TetrahedralFlow:
         slope -= n * (n @ slope)                    # no flow through the wall
         return -mu * slope * area - p * S
 
+
 def wall_force(folder, rate, mu, walls):
     """Sum of the tractions on the patches of given velocity."""
     flow = TetrahedralFlow(folder, rate)

@@ -108,8 +108,11 @@ def draw(series):
     figure, axes = plots.plt.subplots(figsize=(7.2, 4.8))
     for i, ((sites, correction, one), points) in enumerate(series.items()):
         n, bonds, deviation, _ = np.array(points).T
-        mesh_free = expected("molecules", "none", False, 6) if correction == "none" else (
-            expected(sites, "conserving", False, int(n[-1])) * (ON_ONE / ON["global"] if one else 1))
+        if correction == "none":
+            mesh_free = expected("molecules", "none", False, 6)
+        else:
+            mesh_free = expected(sites, "conserving", False, int(n[-1])) * (
+                ON_ONE / ON["global"] if one else 1)
         colour = plots.COLOURS[i % len(plots.COLOURS)] if not one else plots.INK
         name = sites + ", " + correction + (", one receptor a face" if one else "")
         axes.errorbar(2 * n**2 * 1.04 ** (i - 3), bonds / mesh_free, deviation / mesh_free,

@@ -244,11 +244,10 @@ def order_in_time():
         runs = [r for r in found(f"order.{scheme}.*")
                 if r.folder != reference.folder]
         steps = np.array([1 / steps_per_period(r) for r in runs])
+        every = [steps_per_period(reference) // steps_per_period(r) for r in runs]
         errors[NAMES[scheme]] = np.array([
-            np.abs(y - exact[steps_per_period(reference) // steps_per_period(r) - 1
-                             ::steps_per_period(reference) // steps_per_period(r)]
-                   ).max() / scale
-            for r, y in ((r, deflection(r)[1]) for r in runs)])
+            np.abs(deflection(r)[1] - exact[n - 1::n]).max() / scale
+            for r, n in zip(runs, every)])
     orders = plots.convergence(
         "order.png", steps, errors, xlabel="step / period",
         ylabel="largest error / largest deflection", title="A vibrating cantilever")

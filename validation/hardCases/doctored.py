@@ -113,7 +113,7 @@ def recorded(make):
 
 
 def caught(law, make, table, change):
-    judge = next(l for l in LAWS if l.__name__ == law)
+    judge = next(known for known in LAWS if known.__name__ == law)
     run = recorded(make)
     before = judge(run)
     if change is None:

@@ -386,7 +386,8 @@ def zero_flow():
     return scene, more
 
 
-@case("a magnet in a field that would turn it in 1e-6 of a step: lies along it, energy only lost", quick=True)
+@case("a magnet in a field that would turn it in 1e-6 of a step: lies along it, energy only "
+      "lost", quick=True)
 def huge_torque():
     effects = dict(magnetics=dict(
         fields=dict(main=dict(type="uniform", B=(10, 0, 0))),
@@ -426,7 +427,8 @@ def spinning_helix():
 
     def more(history):
         # bound: meshes of one coarseness differ by less than each from the truth, here
-        # aim of a twentieth; the thrust, a small difference of large forces, shows the coarse cells more
+        # aim of a twentieth; the thrust, a small difference of large forces, shows the
+        # coarse cells more
         t = history["bodies/helix/torque/fluid"]["z"]
         return [("torque varies by", np.ptp(t) / abs(t.mean()), "<", 0.05)]
     return scene, more

@@ -207,7 +207,10 @@ class Scene:
 
     def write(self, folder):
         shutil.rmtree(folder, ignore_errors=True)
-        put = lambda path, *rest: write_dictionary(os.path.join(folder, path), *rest)
+
+        def put(path, *rest):
+            write_dictionary(os.path.join(folder, path), *rest)
+
         put("constant/bodies", {b.name: b.written() for b in self.bodies})
         put("constant/fluid/material",
             dict(type="Newtonian", viscosity=self.flow.viscosity))

@@ -79,9 +79,9 @@ def meshes(results):
              "meshes")
         draw("stressAgainstSeconds.png", ladders, "stressError", "meshes")
         over_cells("iterations.png", ladders, "krylov", "Krylov iterations",
-                  xlog=True)
+                   xlog=True)
         over_cells("memory.png", ladders, "megabytes",
-                  "most memory of the process (MB)")
+                   "most memory of the process (MB)")
 
 
 def formulations():

@@ -4,14 +4,12 @@
 them, at every saved time. check.py CHECK CASE [CASE]"""
 
 import glob
-import os
 import re
 import sys
 
 import numpy as np
 import vtk
 
-sys.path.insert(0, os.path.join(os.environ["FSBI_DIR"], "applications/test/include"))
 import vtk_case
 
 STEPS = 9

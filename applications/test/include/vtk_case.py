@@ -10,7 +10,6 @@
 import glob
 import os
 
-import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 

@@ -4,7 +4,7 @@
 
     check.py regions CASE REGION ...    these have a mesh and fields, always
     check.py fields CASE [decomposed]   U on rigid bodies, D of elastic ones
-    check.py new_mesh CASE               the fluid's mesh is not always the same
+    check.py newMesh CASE               the fluid's mesh is not always the same
     check.py drawn CASE PICTURE         a picture of all regions, not empty
 """
 
@@ -15,7 +15,6 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-sys.path.insert(0, os.path.join(os.environ["FSBI_DIR"], "applications/test/include"))
 import vtk_case
 from fsbi.history import History
 

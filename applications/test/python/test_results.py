@@ -30,7 +30,7 @@ def test_results_are_read_back(scratch):
 
 
 @pytest.mark.parametrize("value", [25.3e-6, 24.7e-6, float("nan")])
-def test_value_beyond_its_bound_fails(scratch, value):
+def test_result_beyond_its_bound_fails(scratch, value):
     written(dict(WITHIN, value=value))
     assert results.check() == 1
 

@@ -99,7 +99,7 @@ def main():
         print(f"    there is no ffmpeg: {output} instead", file=sys.stderr)
     try:
         with vtk_files.VTKFiles(options.case, options.region, picture.fields_of(options),
-                               "all") as states, tempfile.TemporaryDirectory() as folder:
+                                "all") as states, tempfile.TemporaryDirectory() as folder:
             if len(states) < 2:
                 raise vtk_files.NoStates("one saved time only: lessen writeInterval")
             same_colours(options, states)

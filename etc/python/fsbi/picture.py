@@ -360,7 +360,7 @@ def main():
     options = options_of("picture").parse_args()
     try:
         with vtk_files.VTKFiles(options.case, options.region, fields_of(options),
-                               options.time) as states:
+                                options.time) as states:
             pixels, bars, title = drawn(options, states[-1])
         page(trim(pixels, ink(pixels)), bars, options, title)
     except (vtk_files.NoStates, ValueError) as error:

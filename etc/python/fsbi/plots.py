@@ -16,13 +16,13 @@
 import os
 
 import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
 
 from .convergence import orders as observed
+
+matplotlib.use("Agg")           # no display is needed
 
 # Okabe and Ito's colours without the yellow; markers tell the lines apart, too
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]

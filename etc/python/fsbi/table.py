@@ -18,7 +18,7 @@ import re
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from fsbi import results
+from fsbi import results           # noqa: E402
 
 VARIANT = re.compile(
     r"_(mesh\d+|at_[\d.]+a|step_[\d.e+-]+tau|[\d.]+us|halfWidth\d+|\d+across|w[\d.]+|\d+steps"

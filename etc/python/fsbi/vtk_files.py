@@ -34,8 +34,10 @@ def decomposed(case):
     parts = [n for n in os.listdir(case) if re.fullmatch("processor[0-9]+", n)]
     if not parts:
         return 0
+
     def newest(folder):
         return max(folders_by_time(folder), default=-1)
+
     return len(parts) if newest(os.path.join(case, "processor0")) > newest(case) else 0
 
 

@@ -26,8 +26,8 @@ def draw(study, path, advice=None, accuracy=None, verified=None, title=""):
     _label(study, axes[0])
     _marks(study, axes, advice, accuracy, verified)
     names = ", ".join(dict.fromkeys(q.label for q in study.quantities))
-    axes[0].set_ylabel("error" + (", the largest of them" if
-                                           len(study.quantities) > 1 else ""))
+    several = ", the largest of them" if len(study.quantities) > 1 else ""
+    axes[0].set_ylabel("error" + several)
     figure.suptitle(title or f"What accuracy costs: {names}", x=0.01, ha="left", fontsize=12.5)
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="lower center", ncols=min(4, len(labels)),

@@ -58,8 +58,7 @@ class Quantity:
             raise Refused(f"quantity '{self.text}': reduction '{self.reduction}' is not "
                           "last, first, max, min, mean, mean=T0,T1, at=T or rms=V")
         try:
-            self.numbers = [float(t) for t in
-                          self.reduction.partition("=")[2].split(",") if t]
+            self.numbers = [float(t) for t in self.reduction.partition("=")[2].split(",") if t]
         except ValueError:
             raise Refused(f"quantity '{self.text}': the numbers in "
                           f"'{self.reduction}' are not numbers") from None

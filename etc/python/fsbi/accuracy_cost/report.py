@@ -125,8 +125,9 @@ def _honesty(study):
             lines.append(f"- {best}, estimated, uncertain by {study.unsure[i] / study.scale[i]:.1g}"
                          " of it: smaller errors mean nothing.")
         else:
-            lines.append(f"- {best}, given. What the runs tend to is {study.floor[i] / study.scale[i]:.2g}"
-                         f" away from it, known to {study.unsure[i] / study.scale[i]:.1g}.")
+            lines.append(f"- {best}, given. What the runs tend to is "
+                         f"{study.floor[i] / study.scale[i]:.2g} away from it, known to "
+                         f"{study.unsure[i] / study.scale[i]:.1g}.")
     if study.scattered():
         lines.append(f"- Not in the range where errors follow one power: {study.scattered()}. "
                      "Their limits are rough, see ±.")

@@ -142,7 +142,7 @@ class Study:
         if len(ran) < 2:
             return None
         return convergence.estimate([knob.size(v.settings[knob.name]) for v in ran],
-                                   [v.values[i] for v in ran])
+                                    [v.values[i] for v in ran])
 
     def uncertainty(self):
         """Of the best values, relative, the largest; with references that of the
@@ -216,7 +216,8 @@ class Study:
         return {"mesh", "timeStep", "tolerance"}
 
     def _regular(self, knob):
-        return all(l[knob.name].kind in ("asymptotic", "settled") for l in self.limits)
+        return all(limits[knob.name].kind in ("asymptotic", "settled")
+                   for limits in self.limits)
 
     def _features(self, knob, value):
         settings = {**self.base, knob.name: value}

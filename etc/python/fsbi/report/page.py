@@ -109,8 +109,10 @@ def _data(run, shown):
 def _rows(head, rows):
     if not rows:
         return ""
+
     def line(cells, tag):
         return "<tr>" + "".join(f"<{tag}>{html.escape(str(c))}</{tag}>" for c in cells) + "</tr>"
+
     return ("<table>" + line(head, "th") + "".join(line(r, "td") for r in rows) + "</table>")
 
 
