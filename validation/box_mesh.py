@@ -95,4 +95,5 @@ def main(kind, *numbers):
     print("$EndElements")
 
 
-main(*sys.argv[1:])
+if __name__ == "__main__":
+    main(*sys.argv[1:])

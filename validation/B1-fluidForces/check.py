@@ -16,7 +16,7 @@ from fsbi.results import Results
 BODY, RADIUS = "tumourCell", 8
 FORCE = 6 * np.pi * RADIUS              # per velocity
 TORQUE = 8 * np.pi * RADIUS**3          # per angular velocity
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("B1")
 
 
@@ -162,7 +162,12 @@ def wall_order():
         title="Sphere beside a wall, centre at 1.3 radii")
 
 
-far_field()
-shell()
-beside_a_wall()
-results.write()
+def main():
+    far_field()
+    shell()
+    beside_a_wall()
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

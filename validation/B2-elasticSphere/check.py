@@ -4,6 +4,7 @@
 
 import glob
 import sys
+from functools import cache
 
 import numpy as np
 
@@ -18,10 +19,14 @@ SIZES = np.array([0.3, 0.2, 0.135])     # edges over the radius of the runs "ord
 # bound: error of the deformation on 22 000 cells (issue). Edges of 0.1 radii meet
 # it by the second order that the runs "order" show: see expected_on_fine_mesh()
 DEFORMATION = 0.005
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("B2")
-steady = {row["Ca"]: row for row in reference("reference/steady.csv")}
-fold = {row["nu"]: row["Ca"] for row in reference("reference/fold.csv")}[NU]
+
+
+@cache
+def steady():
+    """Exact shapes by Ca."""
+    return {row["Ca"]: row for row in reference("reference/steady.csv")}
 
 
 def rate_by_directions(D):
@@ -52,7 +57,7 @@ def references():
                 DEFORMATION / 100)
     # bound: first order in Ca (Goddard and Miller 1967); the next term is Ca^2
     Ca = 0.01
-    results.add("reference_small_Ca", steady[Ca]["D_exact"],
+    results.add("reference_small_Ca", steady()[Ca]["D_exact"],
                 1.25 * Ca / np.sqrt(1 + 2.25 * Ca**2), Ca**2)
 
 
@@ -60,7 +65,7 @@ def steady_shapes():
     points = []
     for run in cases("runs/steady*"):
         Ca = float(run.folder.removeprefix("runs/steady"))
-        exact = steady[Ca]
+        exact = steady()[Ca]
         _, D, angle = run.shape("cell")
         cost = dict(seconds=run.seconds, cells=run.cells)
         # bound: quick, edges of 0.3 radii: nine times that of 0.1, by second order
@@ -76,11 +81,11 @@ def steady_shapes():
 
 
 def draw_steady(points):
-    Ca = np.array(sorted(c for c in steady if c <= 0.3))
+    Ca = np.array(sorted(c for c in steady() if c <= 0.3))
     figure, (left, right) = plots.plt.subplots(1, 2, figsize=(8.4, 3.6))
     for axes, key, i, label in ((left, "D_exact", 1, "deformation (L-B)/(L+B)"),
                                 (right, "theta_deg", 2, "inclination (degrees)")):
-        axes.plot(Ca, [steady[c][key] for c in Ca], color="black", lw=1.2, label="exact")
+        axes.plot(Ca, [steady()[c][key] for c in Ca], color="black", lw=1.2, label="exact")
         axes.plot(points[:, 0], points[:, i], ls="none", marker="o", mfc="white",
                   mew=1.4, color=plots.COLOURS[0], label="fsbiFoam")
         axes.set(xlabel="µγ/G", ylabel=label)
@@ -90,7 +95,7 @@ def draw_steady(points):
 
 def order():
     runs = cases("runs/order*")
-    exact = steady[0.05]["D_exact"]
+    exact = steady()[0.05]["D_exact"]
     errors = []
     for i, run in enumerate(runs):
         D = run.shape("cell")[1][-1]
@@ -223,15 +228,21 @@ def softening():
     else:
         edges = max(below), min(above)
         # bound: half of the bracket, that is, the exact fold is in it
+        fold = {row["nu"]: row["Ca"] for row in reference("reference/fold.csv")}[NU]
         results.add("softening_fold", sum(edges) / 2, fold, 0.5 * (edges[1] - edges[0]) / fold)
 
 
-references()
-steady_shapes()
-iterations()
-if not quick:
-    growth(order())
-    start_up()
-turns()
-softening()
-results.write()
+def main():
+    references()
+    steady_shapes()
+    iterations()
+    if not quick:
+        growth(order())
+        start_up()
+    turns()
+    softening()
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

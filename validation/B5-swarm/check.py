@@ -74,36 +74,41 @@ def draw(ways, targets, planned):
     plots.save(figure, "crossing.png")
 
 
-for folder in sorted(glob.glob("runs/*")):
-    run, name = Case(folder), os.path.basename(folder)
-    control = run.history["effects/magnetics/controller"]
-    with open(folder + "/constant/effects") as file:
-        targets = {name: [float(x) for x in place.split()] for name, place in
-                   re.findall(r"(\w+)\s*\{\s*target\s*\(([^)]*)\)", file.read())}
-    cost = dict(seconds=run.seconds, cells=run.cells)
-    for body, target in targets.items():
-        left = np.subtract(target, run.position(body)[-1])
-        # bound: the controller's own tolerance
-        results.add(f"distance_{body}_{name}_abs", np.linalg.norm(left[:2]), 0, TOLERANCE,
-                    **cost)
-    there = np.max([control[f"distance.{b}"] for b in targets], axis=0) <= TOLERANCE
-    there &= control["leg"] == control["leg"].max()
-    # bound: they stay there for a row of the history and more
-    results.at_least(f"rest_at_targets_{name}", there.mean(), 0.01)
-    current = np.array([control["I." + i] for i in "xyz"]).T
-    on = control["mode"] > 0
-    # bound: the currents' own limit
-    results.add(f"largest_current_{name}_abs", np.abs(current).max(), 0, LIMIT)
-    # the currents' own field is the one that bodies are in, the same for all
-    for body in targets:
-        magnet = run.history[f"effects/magnetics/{body}"]
-        B = np.array([magnet["B" + i] for i in "xyz"]).T
-        # bound: B and I come from one formula; ten times its constants' digits
-        results.add(f"field_at_{body}_{name}_abs",
-                    np.abs(B - FACTOR * current).max() / FIELD, 0, 1e-5)
-    # bound: no current is none
-    results.add(f"field_when_off_{name}_abs", np.abs(current[~on]).max(initial=0), 0, 0)
-    if name == "crossing":
-        obstacle(run, {"weak": (-15, 0, 5.6), "middle": (18, -21, 5.6)}, targets,
-                 control["time"][there].min(initial=np.inf))
-results.write()
+def main():
+    for folder in sorted(glob.glob("runs/*")):
+        run, name = Case(folder), os.path.basename(folder)
+        control = run.history["effects/magnetics/controller"]
+        with open(folder + "/constant/effects") as file:
+            targets = {name: [float(x) for x in place.split()] for name, place in
+                       re.findall(r"(\w+)\s*\{\s*target\s*\(([^)]*)\)", file.read())}
+        cost = dict(seconds=run.seconds, cells=run.cells)
+        for body, target in targets.items():
+            left = np.subtract(target, run.position(body)[-1])
+            # bound: the controller's own tolerance
+            results.add(f"distance_{body}_{name}_abs", np.linalg.norm(left[:2]), 0, TOLERANCE,
+                        **cost)
+        there = np.max([control[f"distance.{b}"] for b in targets], axis=0) <= TOLERANCE
+        there &= control["leg"] == control["leg"].max()
+        # bound: they stay there for a row of the history and more
+        results.at_least(f"rest_at_targets_{name}", there.mean(), 0.01)
+        current = np.array([control["I." + i] for i in "xyz"]).T
+        on = control["mode"] > 0
+        # bound: the currents' own limit
+        results.add(f"largest_current_{name}_abs", np.abs(current).max(), 0, LIMIT)
+        # the currents' own field is the one that bodies are in, the same for all
+        for body in targets:
+            magnet = run.history[f"effects/magnetics/{body}"]
+            B = np.array([magnet["B" + i] for i in "xyz"]).T
+            # bound: B and I come from one formula; ten times its constants' digits
+            results.add(f"field_at_{body}_{name}_abs",
+                        np.abs(B - FACTOR * current).max() / FIELD, 0, 1e-5)
+        # bound: no current is none
+        results.add(f"field_when_off_{name}_abs", np.abs(current[~on]).max(initial=0), 0, 0)
+        if name == "crossing":
+            obstacle(run, {"weak": (-15, 0, 5.6), "middle": (18, -21, 5.6)}, targets,
+                     control["time"][there].min(initial=np.inf))
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

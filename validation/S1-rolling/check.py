@@ -18,7 +18,7 @@ from membrane import Membrane
 BODY, CELL = "leukocyte", Leukocyte(radius=1, Ax=0.25, Ay=0.1, By=0.4)
 V = OMEGA = 1.2e-4
 TURNS = 10
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("S1")
 
 
@@ -178,10 +178,15 @@ def membranes():
     times(found[-1], edges[-1], "_finest")
 
 
-turns()
-rigid()
-sphere()
-if not quick:
-    meshes()
-    membranes()
-results.write()
+def main():
+    turns()
+    rigid()
+    sphere()
+    if not quick:
+        meshes()
+        membranes()
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

@@ -9,7 +9,7 @@ from fsbi.results import Results
 
 START = -12         # um, where the tumour cell comes from
 CENTRE = 0.775      # um, the leukocyte's at the start
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 # bound: the issue asks for convergence with mesh and step without a number. Second
 # order: (edge/radius)^2 of the leukocyte, and shear rate times step (first order,
 # that of the first step; the others are of second)
@@ -39,7 +39,12 @@ def compare(name, with_name, label, bound):
           f"{run.cells} and {other.cells} cells")
 
 
-compare("mesh1", "mesh2", "by_mesh", MESH)
-if not quick:
-    compare("mesh1", "shortSteps", "by_step", STEP)
-results.write()
+def main():
+    compare("mesh1", "mesh2", "by_mesh", MESH)
+    if not quick:
+        compare("mesh1", "shortSteps", "by_step", STEP)
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

@@ -17,7 +17,7 @@ END = 9320          # us
 SCENE = 0.225       # capillary number of the scene
 LAWS = ("StVenantKirchhoff.totalLagrangian", "neoHookean.totalLagrangian",
         "StVenantKirchhoff.slowProcess")
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("S10")
 
 
@@ -81,13 +81,18 @@ def draw(found):
     plots.save(figure, "softening.png")
 
 
-for folder in sorted(glob.glob("runs/law_*_0.5_*")):
-    stretch, _ = measures(folder)
-    if "slowProcess" in folder:
-        # bound: the source's scene, law and formulation reach the source's end
-        results.at_least("slowProcess_own_start_ends", np.isfinite(stretch), 1)
-found = {law: series(law) for law in LAWS if glob.glob(f"runs/law_{law}_0.3_*")}
-compare(found)
-if not quick:
-    draw(found)
-results.write(append=True)
+def main():
+    for folder in sorted(glob.glob("runs/law_*_0.5_*")):
+        stretch, _ = measures(folder)
+        if "slowProcess" in folder:
+            # bound: the source's scene, law and formulation reach the source's end
+            results.at_least("slowProcess_own_start_ends", np.isfinite(stretch), 1)
+    found = {law: series(law) for law in LAWS if glob.glob(f"runs/law_{law}_0.3_*")}
+    compare(found)
+    if not quick:
+        draw(found)
+    results.write(append=True)
+
+
+if __name__ == "__main__":
+    main()

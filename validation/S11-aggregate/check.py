@@ -15,7 +15,7 @@ from fsbi.results import Results
 
 INTERVAL, SAMPLES, STOPPED = 30, 75, 0.1    # us; of the mean; of the first speed
 WHAT = ("pair", "set", "site", "formed")
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("S11")
 
 
@@ -85,15 +85,20 @@ def draw(groups):
     plots.save(figure, "aggregates.png")
 
 
-same_events()
-if not quick:
-    groups = {name: ensemble(name) for name in ("global", "none")}
-    draw(groups)
-    for name, expected in (("global", 1), ("none", 0)):
-        runs, stuck, low, high = groups[name]
-        # bound: one run. In equilibrium `none` has 0.01 bonds by the table's rates,
-        # so that two of eight runs with a bond have a probability of 0.003; with
-        # `global` tens of receptors pass, and none binds in exp(-10) of runs
-        results.add(f"aggregates_{name}_abs", stuck / len(runs), expected, 1 / len(runs),
-                    seconds=sum(r[0].seconds for r in runs), cells=runs[0][0].cells)
-results.write()
+def main():
+    same_events()
+    if not quick:
+        groups = {name: ensemble(name) for name in ("global", "none")}
+        draw(groups)
+        for name, expected in (("global", 1), ("none", 0)):
+            runs, stuck, low, high = groups[name]
+            # bound: one run. In equilibrium `none` has 0.01 bonds by the table's rates,
+            # so that two of eight runs with a bond have a probability of 0.003; with
+            # `global` tens of receptors pass, and none binds in exp(-10) of runs
+            results.add(f"aggregates_{name}_abs", stuck / len(runs), expected, 1 / len(runs),
+                        seconds=sum(r[0].seconds for r in runs), cells=runs[0][0].cells)
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

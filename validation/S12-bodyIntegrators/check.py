@@ -13,7 +13,7 @@ from fsbi.results import Results
 BODY, RADIUS = "tumourCell", 8
 SPEED, SPIN = 1.4e-4, 2.5e-5
 TAU, TAU_SPIN = 2 * RADIUS**2 / 9, RADIUS**2 / 15
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("S12")
 
 
@@ -72,11 +72,16 @@ def draw(start, shear):
     plots.save(figure, "explicitEuler.png")
 
 
-start = explicit("start", TAU, (27, 31) if quick else (10, 27, 31, 60))
-shear = explicit("shear", TAU_SPIN, (8, 9) if quick else (4, 8, 9, 12))
-for kind in ("start", "shear"):
-    stable("semiImplicit", kind, 1000)
-    stable("monolithic", kind, 10000)
-if not quick:
-    draw(start, shear)
-results.write()
+def main():
+    start = explicit("start", TAU, (27, 31) if quick else (10, 27, 31, 60))
+    shear = explicit("shear", TAU_SPIN, (8, 9) if quick else (4, 8, 9, 12))
+    for kind in ("start", "shear"):
+        stable("semiImplicit", kind, 1000)
+        stable("monolithic", kind, 10000)
+    if not quick:
+        draw(start, shear)
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

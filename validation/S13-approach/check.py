@@ -19,7 +19,7 @@ STRENGTH, RANGE, MINIMUM = 1e-3, 1, 0.2     # constant/effects
 RADIUS, FORCE = 4, 0.2                      # of the pressed sphere
 APPROACH = 0.2                              # maxApproach of system/controlDict
 EDGES = {"step1000": 1.2, "edge0.6": 0.6, "edge0.3": 0.3}
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("S13")
 
 
@@ -127,6 +127,11 @@ def pressed():
     results.at_least("rest_order", orders["gap"][-1], 1.8)
 
 
-collisions()
-pressed()
-results.write()
+def main():
+    collisions()
+    pressed()
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

@@ -14,7 +14,7 @@ import numpy as np
 import draw
 from fsbi.results import Results
 
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("S14")
 
 
@@ -195,12 +195,17 @@ def beam_table():
     print(f"    tuned over not tuned, in seconds: {took['factors8'] / took['tuned8']:.2f}")
 
 
-check_waves()
-check_schedules()
-check_rates()
-check_use()
-if not quick:
-    seconds_table()
-    beam_table()
-draw.symbols(references())
-results.write()
+def main():
+    check_waves()
+    check_schedules()
+    check_rates()
+    check_use()
+    if not quick:
+        seconds_table()
+        beam_table()
+    draw.symbols(references())
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

@@ -76,12 +76,17 @@ def draw(found, exact):
     plots.save(figure, "starts.png")
 
 
-exact = best_pair()
-seeds = sorted(int(folder.removeprefix("runs/seed")) for folder in glob.glob("runs/seed*"))
-found = {seed: check(seed, exact) for seed in seeds}
-errors = 100 * (np.array(list(found.values())) / exact - 1)
-print(f"    errors of the factors in %: median {np.median(np.abs(errors)):.1f}, largest "
-      f"{np.abs(errors).max():.1f}")
-if sys.argv[1] != "true":
-    draw(found, exact)
-results.write()
+def main():
+    exact = best_pair()
+    seeds = sorted(int(folder.removeprefix("runs/seed")) for folder in glob.glob("runs/seed*"))
+    found = {seed: check(seed, exact) for seed in seeds}
+    errors = 100 * (np.array(list(found.values())) / exact - 1)
+    print(f"    errors of the factors in %: median {np.median(np.abs(errors)):.1f}, largest "
+          f"{np.abs(errors).max():.1f}")
+    if sys.argv[1] != "true":
+        draw(found, exact)
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

@@ -31,7 +31,7 @@ EXACTLY = 1e-6
 # 1 % of E; nu has less to do with the shape
 OTHER_MESH = {"E": 0.01, "nu": 0.03}
 
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("S16")
 
 
@@ -297,16 +297,21 @@ def draw_laws(bars):
     plots.save(figure, "laws.png")
 
 
-check_exact()
-check_deformed()
-check_noise()
-if not quick:           # half a minute; applications/test/identification has a small one
-    check_outliers()
-check_wrong_tractions()
-check_intervals()
-check_laws()
-check_bead()
-check_flow()
-if not quick:
-    study_springs()
-results.write()
+def main():
+    check_exact()
+    check_deformed()
+    check_noise()
+    if not quick:           # half a minute; applications/test/identification has a small one
+        check_outliers()
+    check_wrong_tractions()
+    check_intervals()
+    check_laws()
+    check_bead()
+    check_flow()
+    if not quick:
+        study_springs()
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

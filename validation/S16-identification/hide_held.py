@@ -10,8 +10,14 @@ import sys
 
 import numpy as np
 
-data = np.genfromtxt(sys.argv[1], delimiter=",", skip_header=1)
-data[:, 6:] = 0
-data[data[:, 1] < 4.5, 6:] = np.nan
-np.savetxt(sys.argv[2], data, delimiter=",", header="x,y,z,ux,uy,uz,tx,ty,tz", comments="",
-           fmt="%.12g")
+
+def main():
+    data = np.genfromtxt(sys.argv[1], delimiter=",", skip_header=1)
+    data[:, 6:] = 0
+    data[data[:, 1] < 4.5, 6:] = np.nan
+    np.savetxt(sys.argv[2], data, delimiter=",", header="x,y,z,ux,uy,uz,tx,ty,tz", comments="",
+               fmt="%.12g")
+
+
+if __name__ == "__main__":
+    main()

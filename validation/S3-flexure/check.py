@@ -33,9 +33,16 @@ def end(folder):
 
 
 results = Results("S3")
-for folder in sorted(glob.glob("runs/clamped*"), key=lambda f: int(f[12:])):
-    run = Case(folder)
-    across = int(folder[12:])
-    results.add(f"clamped_deflection_{across}across", end(folder), DEFLECTION,
-                bound(across), seconds=run.seconds, cells=run.cells)
-results.write(append=True)
+
+
+def main():
+    for folder in sorted(glob.glob("runs/clamped*"), key=lambda f: int(f[12:])):
+        run = Case(folder)
+        across = int(folder[12:])
+        results.add(f"clamped_deflection_{across}across", end(folder), DEFLECTION,
+                    bound(across), seconds=run.seconds, cells=run.cells)
+    results.write(append=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -13,7 +13,7 @@ from fsbi import fields, plots
 from fsbi.case import Case, cases
 from fsbi.results import Results
 
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 YOUNG = 0.504e-3        # pg/um/us2
 # bound: the solver's tolerance (1e-13 of the forces) times the number of cells
 # across (10) squared, which is how far an error of forces adds up in the
@@ -73,25 +73,32 @@ def turned_when_stretched():
 
 
 results = Results("S4")
-figure, axes = plots.plt.subplots()
-axes.axhline(BOUND, color="black", lw=1.2, label="bound")
-for colour, formulation in zip(plots.COLOURS, FORMULATIONS):
-    at_once = cases(f"runs/*-{formulation}-[0-9]*")
-    in_steps = cases(f"runs/*-{formulation}-steps")
-    row(f"{formulation}_in_one_step", at_once)
-    row(f"{formulation}_in_steps", in_steps)
-    for run in in_steps:
-        hexahedra = "hexahedra" in run.folder
-        axes.semilogy(*stress(run), color=colour, ls="--" if hexahedra else "-",
-                      label=f"{formulation}, {'hexa' if hexahedra else 'tetra'}hedra")
-    for run in at_once:
-        axes.semilogy(*stress(run), color=colour, ls="none", mfc="white",
-                      marker="s" if "hexahedra" in run.folder else "o")
-axes.set(xlabel="angle (degrees)", ylabel="largest stress / E", ylim=(1e-15, 1e-7))
-axes.set_title("Rigid rotation: in steps of 10° (lines), at once (markers)",
-               loc="left")
-axes.legend(fontsize=8, ncols=2, loc="upper left")
-if not quick:
-    plots.save(figure, "stress.png")
-turned_when_stretched()
-results.write()
+
+
+def main():
+    figure, axes = plots.plt.subplots()
+    axes.axhline(BOUND, color="black", lw=1.2, label="bound")
+    for colour, formulation in zip(plots.COLOURS, FORMULATIONS):
+        at_once = cases(f"runs/*-{formulation}-[0-9]*")
+        in_steps = cases(f"runs/*-{formulation}-steps")
+        row(f"{formulation}_in_one_step", at_once)
+        row(f"{formulation}_in_steps", in_steps)
+        for run in in_steps:
+            hexahedra = "hexahedra" in run.folder
+            axes.semilogy(*stress(run), color=colour, ls="--" if hexahedra else "-",
+                          label=f"{formulation}, {'hexa' if hexahedra else 'tetra'}hedra")
+        for run in at_once:
+            axes.semilogy(*stress(run), color=colour, ls="none", mfc="white",
+                          marker="s" if "hexahedra" in run.folder else "o")
+    axes.set(xlabel="angle (degrees)", ylabel="largest stress / E", ylim=(1e-15, 1e-7))
+    axes.set_title("Rigid rotation: in steps of 10° (lines), at once (markers)",
+                   loc="left")
+    axes.legend(fontsize=8, ncols=2, loc="upper left")
+    if not quick:
+        plots.save(figure, "stress.png")
+    turned_when_stretched()
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

@@ -14,7 +14,7 @@ from fsbi.results import Results
 BODY, SPEED, RADIUS = "tumourCell", 1.4e-4, 8
 TAU = 2 * RADIUS**2 / 9
 MASS = 4 / 3 * np.pi * RADIUS**3
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("S5")
 
 
@@ -103,11 +103,16 @@ def draw(curves):
     plots.save(figure, "start.png")
 
 
-curves = {"steps of 1.31 µs" if quick else "steps of 0.655 µs": curve("curve", 0.01)}
-domain()
-long_and_short_steps()
-if not quick:
-    curves["steps of 0.1 µs"] = curve("curveFine", 0.01)
-    order_in_time()
-    draw(curves)
-results.write()
+def main():
+    curves = {"steps of 1.31 µs" if quick else "steps of 0.655 µs": curve("curve", 0.01)}
+    domain()
+    long_and_short_steps()
+    if not quick:
+        curves["steps of 0.1 µs"] = curve("curveFine", 0.01)
+        order_in_time()
+        draw(curves)
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

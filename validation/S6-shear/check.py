@@ -13,7 +13,7 @@ from fsbi.results import Results
 
 BODY, RATE, RADIUS, HEIGHT, PATH = "tumourCell", 5e-5, 8, 60, 480
 EDGES = 3, 2.2, 1.6, 1.15               # on the cell, um
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("S6")
 
 
@@ -117,7 +117,12 @@ def draw_wall(points):
     plots.save(figure, "nearWall.png")
 
 
-far_from_walls()
-confinement()
-beside_a_wall()
-results.write()
+def main():
+    far_from_walls()
+    confinement()
+    beside_a_wall()
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

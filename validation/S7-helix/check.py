@@ -7,6 +7,7 @@ import csv
 import glob
 import re
 import sys
+from functools import cache
 
 import numpy as np
 
@@ -16,14 +17,23 @@ from fsbi.convergence import overall_order
 from fsbi.results import Results
 from reference import boundary_integral
 
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("S7")
-EXACT = {row["pitch"]: row for row in reference("reference/helix.csv")}
-TIGHT = EXACT[2]
 NAMES = ("a", "b", "c", "axis_held", "axial_only")
-a, b, _ = resistive_force.helix(resistive_force.lighthill)
-ABBOTT = -b / a
 TORQUE, SPIN, TURNS, FILAMENT = 2.03e-2, 6.2832e-5, 5, 0.1
+
+
+@cache
+def integrated():
+    """By the pitch, of boundary integrals."""
+    return {row["pitch"]: row for row in reference("reference/helix.csv")}
+
+
+@cache
+def abbott():
+    """Advance of the tight helix by resistive-force theory."""
+    a, b, _ = resistive_force.helix(resistive_force.lighthill)
+    return -b / a
 
 
 def read(folder):
@@ -54,7 +64,7 @@ def integrals():
     again, and spheres."""
     # bound: what the independent computation was asked to reach, a sixtieth of the
     # 3 % to be judged by it
-    results.add("reference_uncertainty_abs", TIGHT["uncertainty"], 0, 5e-4)
+    results.add("reference_uncertainty_abs", integrated()[2]["uncertainty"], 0, 5e-4)
     coarse = [row for row in reference("reference/convergence.csv")
               if (row["pitch"], row["around"]) == (2, 4)][0]
     R, _ = boundary_integral.resistance(boundary_integral.Filament(), 4)
@@ -83,8 +93,8 @@ def edges():
         R, cost = read(f"runs/edge{edge:g}")
         for name, value in measures(R).items():
             # bound: the project's case table, 3 %
-            results.add(f"{name}_edge{edge:g}", value, TIGHT[name], 0.03, **cost)
-            errors[name].append(abs(value / TIGHT[name] - 1))
+            results.add(f"{name}_edge{edge:g}", value, integrated()[2][name], 0.03, **cost)
+            errors[name].append(abs(value / integrated()[2][name] - 1))
         # bound: a fifteenth of the 3 %, so that neither half of the matrix decides
         results.add(f"asymmetry_edge{edge:g}_abs", asymmetry(R), 0, 2e-3, **cost)
     if len(lengths) > 2:
@@ -114,10 +124,10 @@ def steady():
         u, w = run.velocity("swimmer")[-1, 2], run.spin("swimmer")[-1, 2]
         advance[name] = u / w
         # bound: the project's case table, 3 %
-        results.add(f"advance_by_{name.lower()}", u / w, TIGHT["axis_held"], 0.03, **cost)
+        results.add(f"advance_by_{name.lower()}", u / w, integrated()[2]["axis_held"], 0.03, **cost)
         # bound: as before. Against Abbott's b/a [4.13] (Gaskin 2018: 1.45 and 0.86)
-        results.add(f"advance_by_{name.lower()}_over_Abbott", u / w / ABBOTT,
-                    TIGHT["axis_held"] / ABBOTT, 0.03)
+        results.add(f"advance_by_{name.lower()}_over_Abbott", u / w / abbott(),
+                    integrated()[2]["axis_held"] / abbott(), 0.03)
         if name == "Torque":
             # bound: the project's case table, 3 %
             results.add("speed_by_torque", w, TORQUE * mobility()[2], 0.03, **cost)
@@ -134,7 +144,7 @@ def exact(row):
 
 def mobility():
     """Velocities of the tight helix by a torque of 1."""
-    return np.linalg.solve(exact(TIGHT), [0, 0, 1])
+    return np.linalg.solve(exact(integrated()[2]), [0, 0, 1])
 
 
 def inertia():
@@ -170,15 +180,15 @@ def starts():
     for axes, name, torque in ((left, "Torque", TORQUE), (right, "Spin", None)):
         run = Case(f"runs/start{name}")
         u = run.velocity("swimmer")[:, 2]
-        end = mobility()[1] * TORQUE if torque else TIGHT["axis_held"] * SPIN
-        made = from_rest(exact(TIGHT), run.time(), torque)[0]
+        end = mobility()[1] * TORQUE if torque else integrated()[2]["axis_held"] * SPIN
+        made = from_rest(exact(integrated()[2]), run.time(), torque)[0]
         # bound: 3 % of the project's case table, and 2 % for time: BDF2 with steps of 0.4
         # I/c, the first BDF1, is 1.4 % of the end off in an ordinary differential equation
         results.add(f"start_by_{name.lower()}_abs", np.abs(u - made).max() / end, 0, 0.05)
-        unit = 1e6 if torque else 1 / (ABBOTT * SPIN)
+        unit = 1e6 if torque else 1 / (abbott() * SPIN)
         axes.plot(run.time(), unit * u, ls="none", marker="o", mfc="white", markevery=2,
                   color=plots.COLOURS[0], label="fsbiFoam")
-        axes.plot(t, unit * from_rest(exact(TIGHT), t, torque)[0], color="black", lw=1.2,
+        axes.plot(t, unit * from_rest(exact(integrated()[2]), t, torque)[0], color="black", lw=1.2,
                   label="boundary integral and inertia")
         axes.set(xlabel="time (µs)")
         axes.set_title(f"From rest, given {'torque' if torque else 'speed of turning'}",
@@ -190,9 +200,9 @@ def starts():
 def draw_literature(left, right, t):
     a, b, c = resistive_force.helix(resistive_force.lighthill)
     w = TORQUE / (c - b**2 / a) * (1 - np.exp(-t * (c - b**2 / a) / inertia()[1]))
-    left.plot(t, 1e6 * ABBOTT * w, color=plots.COLOURS[1], ls="--",
+    left.plot(t, 1e6 * abbott() * w, color=plots.COLOURS[1], ls="--",
               label="Abbott, with his viscous torque")
-    ramp = 1e6 * ABBOTT * TORQUE / inertia()[1] * t
+    ramp = 1e6 * abbott() * TORQUE / inertia()[1] * t
     left.plot(t, ramp, color=plots.COLOURS[2], ls="-.", label="Abbott, ω = T t/I [4.19]")
     left.set(ylabel="velocity along the axis (µm/s)", ylim=(0, 40))
     right.axhline(1, color=plots.COLOURS[1], ls="--", label="Abbott [4.13]")
@@ -210,7 +220,7 @@ def pitches():
         found[pitch] = measures(R)
         for name, value in found[pitch].items():
             # bound: the project's case table, 3 %
-            results.add(f"{name}_pitch{pitch:g}", value, EXACT[pitch][name], 0.03, **cost)
+            results.add(f"{name}_pitch{pitch:g}", value, integrated()[pitch][name], 0.03, **cost)
     figure, axes = plots.plt.subplots(1, 3, figsize=(12, 4))
     p = np.linspace(1.3, 9, 200)
     for k, (axis, what) in enumerate(zip(axes, ("advance per angle −b/a (µm)",
@@ -220,7 +230,7 @@ def pitches():
             a, b, _ = np.array([resistive_force.helix(law, pitch=x) for x in p]).T
             axis.plot(p, (-b / a, a, -b)[k], color=plots.COLOURS[i + 1], ls=("--", "-.")[i],
                       label=label)
-        ref = [EXACT[x] for x in sorted(EXACT)]
+        ref = [integrated()[x] for x in sorted(integrated())]
         axis.plot([r["pitch"] for r in ref],
                   [(r["axial_only"], r["a"], -r["b"])[k] for r in ref], ls="none",
                   marker="+", ms=11, color="black", label="boundary integral")
@@ -233,10 +243,15 @@ def pitches():
     plots.save(figure, "pitch.png")
 
 
-integrals()
-edges()
-steady()
-if not quick:
-    starts()
-    pitches()
-results.write()
+def main():
+    integrals()
+    edges()
+    steady()
+    if not quick:
+        starts()
+        pitches()
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

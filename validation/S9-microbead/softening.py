@@ -20,7 +20,7 @@ SCENE = 0.225           # capillary number of the scene
 SOFT = "StVenantKirchhoff.totalLagrangian"
 SLOW = "StVenantKirchhoff.slowProcess"
 NEO = "neoHookean.totalLagrangian"
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("S9")
 
 
@@ -141,9 +141,14 @@ def draw(runs, slow):
     plots.save(figure, "softening.png")
 
 
-starts()
-if not quick:
-    laws = {law: Loads("runs/soften_" + law).read_shapes()
-            for law in (SOFT, NEO)}
-    draw(laws, slow_process(compare(laws)))
-results.write(append=True)
+def main():
+    starts()
+    if not quick:
+        laws = {law: Loads("runs/soften_" + law).read_shapes()
+                for law in (SOFT, NEO)}
+        draw(laws, slow_process(compare(laws)))
+    results.write(append=True)
+
+
+if __name__ == "__main__":
+    main()

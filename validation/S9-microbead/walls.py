@@ -15,17 +15,24 @@ EDGES = np.array([1.2, 0.8, 0.53])      # um, of runs/walls1 ...
 
 results = Results("S9")
 errors = []
-for edge, run in zip(EDGES, cases("runs/walls*")):
-    force = wall_force(run.folder + "/4000/fluid", rate=5e-5, mu=1,
-                       walls=("bottomWall", "topWall", "sides"))
-    tether = run.history["elasticBodies/microbead/tether"].array[-1, 1:]
-    errors.append(np.linalg.norm(force + tether) / np.linalg.norm(tether))
-    # bound: a sum over walls by second order fits, (edge/radius)^2, factor 1
-    results.add(f"walls_plus_tether_edge{edge:g}_abs", errors[-1], 0, (edge / RADIUS)**2,
-                seconds=run.seconds, cells=run.cells)
-    print(f"    edges of {edge} um: walls {1e3 * force}, tether {1e3 * tether} pN")
-if len(errors) == len(EDGES):
-    # bound: second order in theory; 0.2 for meshes that are not similar
-    results.at_least("walls_plus_tether_order",
-                     orders((EDGES[0], EDGES[-1]), (errors[0], errors[-1]))[0], 1.8)
-results.write(append=True)
+
+
+def main():
+    for edge, run in zip(EDGES, cases("runs/walls*")):
+        force = wall_force(run.folder + "/4000/fluid", rate=5e-5, mu=1,
+                           walls=("bottomWall", "topWall", "sides"))
+        tether = run.history["elasticBodies/microbead/tether"].array[-1, 1:]
+        errors.append(np.linalg.norm(force + tether) / np.linalg.norm(tether))
+        # bound: a sum over walls by second order fits, (edge/radius)^2, factor 1
+        results.add(f"walls_plus_tether_edge{edge:g}_abs", errors[-1], 0, (edge / RADIUS)**2,
+                    seconds=run.seconds, cells=run.cells)
+        print(f"    edges of {edge} um: walls {1e3 * force}, tether {1e3 * tether} pN")
+    if len(errors) == len(EDGES):
+        # bound: second order in theory; 0.2 for meshes that are not similar
+        results.at_least("walls_plus_tether_order",
+                         orders((EDGES[0], EDGES[-1]), (errors[0], errors[-1]))[0], 1.8)
+    results.write(append=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -11,7 +11,7 @@ import sys
 from fsbi import plots
 from fsbi.results import Results
 
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 CASES = {
     "tumourCellInShear": "S6: rotation and path of a free sphere, exact",
     "tumourCellInUniformFlow": "S5: velocity while set in motion, exact",
@@ -183,12 +183,19 @@ def check_quick():
 
 
 results = Results("B7")
-if quick:
-    check_quick()
-else:
-    for name in CASES:
-        if rows(name)[0]:
-            check(name)
-if not quick:
-    readme(compare())
-results.write()
+
+
+def main():
+    if quick:
+        check_quick()
+    else:
+        for name in CASES:
+            if rows(name)[0]:
+                check(name)
+    if not quick:
+        readme(compare())
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

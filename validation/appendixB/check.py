@@ -23,7 +23,7 @@ NAMES = {
 }
 COLOUR = {"vertex": 0, "Gauss": 1, "leastSquares": 2}
 KINDS = {"hexahedra": "-", "perturbed": "--", "tetrahedra": ":"}
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("appendixB")
 
 
@@ -110,13 +110,18 @@ def draw(table, found):
     plots.save(figure, "gradients.png")
 
 
-errors, runs = gradients(), drags()
-check_gradients(errors)
-check_drags(runs)
-for scheme, cases in runs.items():
-    print(f"    {NAMES[scheme]}: " + ", ".join(
-        f"{run.cells} cells {100 * (drag(run) - 1):+.2f} % in {run.iterations[0]:.0f}"
-        " iterations" for run in cases))
-if not quick:
-    draw(errors, runs)
-results.write()
+def main():
+    errors, runs = gradients(), drags()
+    check_gradients(errors)
+    check_drags(runs)
+    for scheme, cases in runs.items():
+        print(f"    {NAMES[scheme]}: " + ", ".join(
+            f"{run.cells} cells {100 * (drag(run) - 1):+.2f} % in {run.iterations[0]:.0f}"
+            " iterations" for run in cases))
+    if not quick:
+        draw(errors, runs)
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

@@ -129,4 +129,5 @@ def draw(series):
     plots.save(figure, "bondRates.png")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -15,7 +15,7 @@ from fsbi import plots
 from fsbi.case import Case
 from fsbi.results import Results
 
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 SCHEMES = ["monolithic", "IQNILS", "Aitken", "semiImplicit", "explicit"]
 REASONS = "diverges|do not agree|reached a residual|turned inside out|not finite"
 
@@ -107,9 +107,14 @@ def draw(runs, refused):
     plots.save(figure, "passes.png")
 
 
-folders = sorted(glob.glob("runs/*.*"))
-refused = {folder: refusal(folder) for folder in folders if refusal(folder)}
-runs = [Run(folder) for folder in folders if folder not in refused]
-compare(runs, refused)
-if not quick:
-    draw(runs, refused)
+def main():
+    folders = sorted(glob.glob("runs/*.*"))
+    refused = {folder: refusal(folder) for folder in folders if refusal(folder)}
+    runs = [Run(folder) for folder in folders if folder not in refused]
+    compare(runs, refused)
+    if not quick:
+        draw(runs, refused)
+
+
+if __name__ == "__main__":
+    main()

@@ -14,7 +14,7 @@ from fsbi import convergence, plots
 from fsbi.case import Case
 from fsbi.results import Results
 
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("elasticDynamics")
 PERIOD = 619.0478
 BODY = "elasticBodies/beam/"
@@ -320,11 +320,16 @@ def creeping():
     plots.save(figure, "creep.png")
 
 
-spinning()
-draw_energy()
-frequency()
-order_in_time()
-creeping()
-if not quick:
-    damping()
-results.write()
+def main():
+    spinning()
+    draw_energy()
+    frequency()
+    order_in_time()
+    creeping()
+    if not quick:
+        damping()
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

@@ -20,7 +20,7 @@ LOWEST = {
     ("hexahedra", "cellStress"): 1.9, ("hexahedra", "vertexStress"): 1.9,
     ("tetrahedra", "vertexStress"): 1.5,
 }
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("elasticOrders")
 
 
@@ -69,14 +69,19 @@ def draw(tables, law, boundary):
         title="Work and precision", xlog=True, ylog=True)
 
 
-tables = {kind: read(kind) for kind in KINDS}
-failed = sum(row["converged"] != "1" for series in tables.values()
-             for rows in series.values() for row in rows)
-results.add("unconverged_abs", failed, 0, 0)     # bound: all of them converge
-for kind, series in tables.items():
-    for law in LAWS[:2] if quick else LAWS:
-        for boundary in "displacements", "tractions":
-            check(kind, law, boundary, series[law, boundary])
-if not quick:
-    draw(tables, "neoHookean", "tractions")
-results.write()
+def main():
+    tables = {kind: read(kind) for kind in KINDS}
+    failed = sum(row["converged"] != "1" for series in tables.values()
+                 for rows in series.values() for row in rows)
+    results.add("unconverged_abs", failed, 0, 0)     # bound: all of them converge
+    for kind, series in tables.items():
+        for law in LAWS[:2] if quick else LAWS:
+            for boundary in "displacements", "tractions":
+                check(kind, law, boundary, series[law, boundary])
+    if not quick:
+        draw(tables, "neoHookean", "tractions")
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

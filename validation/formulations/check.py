@@ -13,7 +13,7 @@ from fsbi import fields, plots
 from fsbi.case import Case, reference
 from fsbi.results import Results
 
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("formulations")
 SLOW = {"slowProcess": paths.slow_stress,
         "slowProcessTotalStrain": paths.slow_stress_total}
@@ -195,13 +195,18 @@ def where_it_parts():
               " degrees at small strain")
 
 
-closed_forms()
-runs = [Homogeneous(folder) for folder in sorted(glob.glob("runs/*.*.*"))]
-general_forms([run for run in runs if run.formulation not in SLOW])
-slow = [run for run in runs if run.formulation in SLOW]
-draw({formulation: slow_process(formulation, [run for run in slow
-                                              if run.formulation == formulation])
-      for formulation in SLOW})
-apart(slow)
-where_it_parts()
-results.write()
+def main():
+    closed_forms()
+    runs = [Homogeneous(folder) for folder in sorted(glob.glob("runs/*.*.*"))]
+    general_forms([run for run in runs if run.formulation not in SLOW])
+    slow = [run for run in runs if run.formulation in SLOW]
+    draw({formulation: slow_process(formulation, [run for run in slow
+                                                  if run.formulation == formulation])
+          for formulation in SLOW})
+    apart(slow)
+    where_it_parts()
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

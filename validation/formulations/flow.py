@@ -13,7 +13,7 @@ from fsbi import ellipsoid, plots
 from fsbi.case import Case, cases, reference
 from fsbi.results import Results
 
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 RATE, CA, NU, STEP = 5e-5, 0.05, 0.3, 0.1
 SIZE = 0.35 if quick else 0.3
 FORMS = {
@@ -153,14 +153,19 @@ def draw(flows):
     plots.save(figure, "flow.png")
 
 
-exact_solution()
-flows = [Flow(run.folder) for run in cases("runs/flow.*")]
-flows.sort(key=lambda flow: list(FORMS).index(flow.formulation))
-end = 0.4 if quick else 1
-against_exact(flows, end)
-turned_back(flows, end)
-same_law()
-by_passes()
-if not quick:
-    draw(flows)
-results.write(append=True)
+def main():
+    exact_solution()
+    flows = [Flow(run.folder) for run in cases("runs/flow.*")]
+    flows.sort(key=lambda flow: list(FORMS).index(flow.formulation))
+    end = 0.4 if quick else 1
+    against_exact(flows, end)
+    turned_back(flows, end)
+    same_law()
+    by_passes()
+    if not quick:
+        draw(flows)
+    results.write(append=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -11,7 +11,7 @@ import numpy as np
 from fsbi import plots
 from fsbi.results import Results
 
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 VERDICTS = ["right", "stopped", "crash", "nan", "silent", "timeout"]
 results = Results("B8")
 
@@ -126,12 +126,17 @@ def draw(found, rows):
     plots.save(figure, "verdicts.png")
 
 
-cases, scenes = read("hard.csv"), read("quick.csv" if quick else "fuzz.csv")
-hard(cases)
-doctored(read("doctored.csv"))
-verdicts = fuzz(scenes)
-if not quick:
-    fill("hard", hard_table(cases))
-    fill("fuzz", fuzz_table(scenes, verdicts))
-    draw(verdicts, scenes)
-results.write()
+def main():
+    cases, scenes = read("hard.csv"), read("quick.csv" if quick else "fuzz.csv")
+    hard(cases)
+    doctored(read("doctored.csv"))
+    verdicts = fuzz(scenes)
+    if not quick:
+        fill("hard", hard_table(cases))
+        fill("fuzz", fuzz_table(scenes, verdicts))
+        draw(verdicts, scenes)
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

@@ -13,7 +13,7 @@ from fsbi import convergence, fields, plots
 from fsbi.case import Case
 from fsbi.results import Results
 
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("largeBending")
 
 
@@ -114,6 +114,7 @@ def report(runs):
 
 def same_in_ten_steps(runs):
     worst = 0
+    runs_by_name = {run.name: run for run in runs}
     for run in runs:
         other = runs_by_name.get(run.name.rsplit(".", 1)[0] + ".1")
         if run.steps == 10 and other:
@@ -163,11 +164,15 @@ def refine(runs):
     results.add("discretisation_8_across_L10_abs", errors[1], 0, 0.01)
 
 
-runs = [Bent(folder) for folder in sorted(glob.glob("runs/*"))]
-runs_by_name = {run.name: run for run in runs}
-report(runs)
-if not quick:
-    same_in_ten_steps(runs)
-    refine(runs)
-draw(runs, 10 if quick else 20)
-results.write()
+def main():
+    runs = [Bent(folder) for folder in sorted(glob.glob("runs/*"))]
+    report(runs)
+    if not quick:
+        same_in_ten_steps(runs)
+        refine(runs)
+    draw(runs, 10 if quick else 20)
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

@@ -12,7 +12,7 @@ from fsbi import ellipsoid, fields, plots
 from fsbi.case import Case
 from fsbi.results import Results
 
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 RATE, CA, NU, STEP = 5e-5, 0.01, 0.3, 0.25
 LAWS = {"corotationalElastic": ellipsoid.corotational,
         "neoHookean": ellipsoid.neo_hookean}
@@ -121,15 +121,20 @@ def draw(flows):
     plots.save(figure, "turning.png")
 
 
-linear, hyperelastic = Flow("corotationalElastic"), Flow("neoHookean")
-against_exact(linear)
-against_exact(hyperelastic)
-against_each_other(linear, hyperelastic)
-if not quick:
-    # bound: so long that the law sees every rotation
-    results.at_least("turns_of_the_surface", linear.turns(), 1)
-small = Flow("linearElastic")
-not_turning(small)
-if not quick:
-    draw([hyperelastic, linear, small])
-results.write()
+def main():
+    linear, hyperelastic = Flow("corotationalElastic"), Flow("neoHookean")
+    against_exact(linear)
+    against_exact(hyperelastic)
+    against_each_other(linear, hyperelastic)
+    if not quick:
+        # bound: so long that the law sees every rotation
+        results.at_least("turns_of_the_surface", linear.turns(), 1)
+    small = Flow("linearElastic")
+    not_turning(small)
+    if not quick:
+        draw([hyperelastic, linear, small])
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

@@ -11,7 +11,7 @@ import sys
 from fsbi.plots import curves
 from fsbi.results import Results
 
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 TABLE = "runs.csv"
 table = []
 
@@ -162,11 +162,18 @@ def write():
 
 
 results = Results("performanceSolids")
-meshes(results)
-formulations()
-slender(results)
-bending(results)
-methods(results)
-if not quick:
-    write()
-results.write()
+
+
+def main():
+    meshes(results)
+    formulations()
+    slender(results)
+    bending(results)
+    methods(results)
+    if not quick:
+        write()
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

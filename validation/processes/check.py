@@ -152,32 +152,37 @@ def compared(scene):
     return found, one
 
 
-lines = [
-    "| scene | " + " | ".join(HEADS) + " | cells |",
-    "|---" * (len(HEADS) + 2) + "|",
-]
-for scene in sys.argv[1:]:
-    try:
-        found, one = compared(scene)
-    except (OSError, KeyError, IndexError):
-        print(f"{scene}: not run")
-        lines.append(f"| {scene} |" + " not run |" * len(HEADS) + " |")
-        results.add(f"{scene}_processes_abs", math.nan, 0, BOUND)
-        results.add(f"{scene}_restart_abs", math.nan, 0, RESTART)
-        continue
-    # nan, of a run without an end, is the worst
-    restart = found.pop("restart")
-    worst = max(found.values(), key=lambda d: math.inf if math.isnan(d) else d)
-    cost = dict(cells=one.cells, seconds=one.seconds)
-    results.add(f"{scene}_processes_abs", worst, 0, BOUND, procs=4, **cost)
-    results.add(f"{scene}_restart_abs", restart, 0, RESTART, procs=2, **cost)
-    found["restart"] = restart
-    lines.append(f"| {scene} | "
-                 + " | ".join(f"{d:.1e}" for d in found.values())
-                 + f" | {one.cells} |")
-results.write()
-with open("table.md", "w") as file:
-    file.write("Largest difference from the run on one process, over the largest number of its"
-               " table\n(of what cancels: over scales of the scene, see check.py); 2 to N: from"
-               " the middle on N;\nrestart: from the middle on two, against two without a stop."
-               " Written by check.py.\n\n" + "\n".join(lines) + "\n")
+def main():
+    lines = [
+        "| scene | " + " | ".join(HEADS) + " | cells |",
+        "|---" * (len(HEADS) + 2) + "|",
+    ]
+    for scene in sys.argv[1:]:
+        try:
+            found, one = compared(scene)
+        except (OSError, KeyError, IndexError):
+            print(f"{scene}: not run")
+            lines.append(f"| {scene} |" + " not run |" * len(HEADS) + " |")
+            results.add(f"{scene}_processes_abs", math.nan, 0, BOUND)
+            results.add(f"{scene}_restart_abs", math.nan, 0, RESTART)
+            continue
+        # nan, of a run without an end, is the worst
+        restart = found.pop("restart")
+        worst = max(found.values(), key=lambda d: math.inf if math.isnan(d) else d)
+        cost = dict(cells=one.cells, seconds=one.seconds)
+        results.add(f"{scene}_processes_abs", worst, 0, BOUND, procs=4, **cost)
+        results.add(f"{scene}_restart_abs", restart, 0, RESTART, procs=2, **cost)
+        found["restart"] = restart
+        lines.append(f"| {scene} | "
+                     + " | ".join(f"{d:.1e}" for d in found.values())
+                     + f" | {one.cells} |")
+    results.write()
+    with open("table.md", "w") as file:
+        file.write("Largest difference from the run on one process, over the largest number of its"
+                   " table\n(of what cancels: over scales of the scene, see check.py); 2 to N: from"
+                   " the middle on N;\nrestart: from the middle on two, against two without a stop."
+                   " Written by check.py.\n\n" + "\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -16,7 +16,7 @@ from quantities import AXES, FORCES, rows
 
 STEP = 1000                             # us
 TIMES = range(STEP, 20 * STEP, STEP)    # saved states with a step to follow
-quick = sys.argv[1] == "true"
+quick = sys.argv[1:2] == ["true"]
 results = Results("remeshing")
 
 
@@ -52,7 +52,7 @@ def state_change(time):
     return np.abs(found - before).max() / np.abs(before).max()
 
 
-def force_changes(table):
+def force_changes(remeshed, table):
     """Relative to the force of the same step on the old mesh."""
     kept = np.array([last(Case(f"runs/kept.{time}"), table) for time in TIMES])
     anew = rows(remeshed, table)[1:]
@@ -78,31 +78,36 @@ def draw(changes, sizes):
     plots.save(figure, "forces.png")
 
 
-remeshed, kept = (Case(f"runs/{name}") for name in ("remeshed", "kept"))
-cost = dict(seconds=remeshed.seconds, cells=remeshed.cells)
+def main():
+    remeshed, kept = (Case(f"runs/{name}") for name in ("remeshed", "kept"))
+    cost = dict(seconds=remeshed.seconds, cells=remeshed.cells)
 
-# bound: what the scene asks for: a new mesh in each of 20 steps, and none
-results.at_least("remeshings", remeshings(remeshed), 20, **cost)
-results.add("remeshings_without_abs", remeshings(kept), 0, 0.5)
-# bound: copied, not computed: round-off, of sums of two numbers
-results.add("body_change_abs", max(map(state_change, TIMES)), 0, 1e-15, **cost)
-# bound: study.csv, by the command `study`, committed before: the error e that
-# forces have on this size of cells. The errors of two meshes differ by 2 e at
-# most if neither is worse than e; on average by no more than e, or a new mesh
-# would cost more than its cells' size does
-study = errors()
-changes = {}
-for name, table in FORCES.items():
-    changes[name] = force_changes(table)
-    results.add(f"{name}_abs", changes[name].mean(), 0, study[name], **cost)
-    results.add(f"{name}_largest_abs", changes[name].max(), 0, 2 * study[name], **cost)
-    print(f"    {name}: changes by {changes[name].mean():.2g}, at most "
-          f"{changes[name].max():.2g}; error of this size {study[name]:.2g}")
-# bound: as for forces: twice the error of the shape
-axes = last(kept, AXES)
-results.add("shape_after_20_abs",
-            np.linalg.norm(last(remeshed, AXES) - axes) / np.linalg.norm(axes), 0,
-            2 * study["shape_after_20"], **cost)
-if not quick:
-    draw(changes, study)
-results.write()
+    # bound: what the scene asks for: a new mesh in each of 20 steps, and none
+    results.at_least("remeshings", remeshings(remeshed), 20, **cost)
+    results.add("remeshings_without_abs", remeshings(kept), 0, 0.5)
+    # bound: copied, not computed: round-off, of sums of two numbers
+    results.add("body_change_abs", max(map(state_change, TIMES)), 0, 1e-15, **cost)
+    # bound: study.csv, by the command `study`, committed before: the error e that
+    # forces have on this size of cells. The errors of two meshes differ by 2 e at
+    # most if neither is worse than e; on average by no more than e, or a new mesh
+    # would cost more than its cells' size does
+    study = errors()
+    changes = {}
+    for name, table in FORCES.items():
+        changes[name] = force_changes(remeshed, table)
+        results.add(f"{name}_abs", changes[name].mean(), 0, study[name], **cost)
+        results.add(f"{name}_largest_abs", changes[name].max(), 0, 2 * study[name], **cost)
+        print(f"    {name}: changes by {changes[name].mean():.2g}, at most "
+              f"{changes[name].max():.2g}; error of this size {study[name]:.2g}")
+    # bound: as for forces: twice the error of the shape
+    axes = last(kept, AXES)
+    results.add("shape_after_20_abs",
+                np.linalg.norm(last(remeshed, AXES) - axes) / np.linalg.norm(axes), 0,
+                2 * study["shape_after_20"], **cost)
+    if not quick:
+        draw(changes, study)
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

@@ -32,15 +32,20 @@ def study(values):
     return [difference(v, limit) for v in values] + [order]
 
 
-runs = [Case(f"sizes/size{i}") for i in (1, 2, 3)]
-with open("study.csv", "w", newline="") as file:
-    writer = csv.writer(file, lineterminator="\n")
-    writer.writerow(["quantity", *(f"error_{run.cells}_cells" for run in runs), "order"])
-    for name, table in {**FORCES, "shape_after_20": AXES}.items():
-        values = [rows(run, table) for run in runs]
-        if table == AXES:
-            values = [v[-1:] for v in values]
-        result = study(values)
-        writer.writerow([name, *(f"{v:.4g}" for v in result)])
-        print(f"    {name}: errors {result[0]:.2g} {result[1]:.2g} {result[2]:.2g}, "
-              f"order {result[3]:.2f}")
+def main():
+    runs = [Case(f"sizes/size{i}") for i in (1, 2, 3)]
+    with open("study.csv", "w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["quantity", *(f"error_{run.cells}_cells" for run in runs), "order"])
+        for name, table in {**FORCES, "shape_after_20": AXES}.items():
+            values = [rows(run, table) for run in runs]
+            if table == AXES:
+                values = [v[-1:] for v in values]
+            result = study(values)
+            writer.writerow([name, *(f"{v:.4g}" for v in result)])
+            print(f"    {name}: errors {result[0]:.2g} {result[1]:.2g} {result[2]:.2g}, "
+                  f"order {result[3]:.2f}")
+
+
+if __name__ == "__main__":
+    main()

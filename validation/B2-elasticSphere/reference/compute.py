@@ -96,5 +96,6 @@ def surface():
           "Flow around the ellipsoid: potentials against quadrature over the surface")
 
 
-for part in (steady, start_up, branches, fold, convergence, surface):
-    part()
+if __name__ == "__main__":
+    for part in (steady, start_up, branches, fold, convergence, surface):
+        part()
