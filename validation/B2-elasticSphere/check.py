@@ -100,8 +100,8 @@ def order():
     for i, run in enumerate(runs):
         D = run.shape("cell")[1][-1]
         # bound: DEFORMATION at edges of 0.1 radii, by second order
-        results.add(f"deformation_mesh{i + 1}", D, exact, DEFORMATION * (SIZES[i] / 0.1)**2,
-                    seconds=run.seconds, cells=run.cells)
+        results.add("deformation", D, exact, DEFORMATION * (SIZES[i] / 0.1)**2,
+                    seconds=run.seconds, cells=run.cells, variant=f"mesh{i + 1}")
         errors.append(abs(D / exact - 1))
     observed = orders((SIZES[0], SIZES[-1]), (errors[0], errors[-1]))[0]
     # bound: second order in theory; 0.2 for meshes that are not similar
@@ -153,12 +153,12 @@ def iterations():
         cost = run.history["cost"]
         most = cost["iterations"].max(), cost["corrections"].max()
         found[float(r), int(mesh)] = most
-        name = f"ratio{float(r):g}_mesh{mesh}"
+        name, variant = f"ratio{float(r):g}", f"mesh{mesh}"
         # bound: a prototype of the same system in Python, made before, took 75 to
         # 100 iterations and 3 to 5 corrections a step for r = 1e-3 ... 1e3; twice
         # that for another preconditioner, and no more corrections
-        results.add(f"iterations_{name}_abs", most[0], 0, 200, cells=run.cells)
-        results.add(f"corrections_{name}_abs", most[1], 0, 5, cells=run.cells)
+        results.add(f"iterations_{name}_abs", most[0], 0, 200, cells=run.cells, variant=variant)
+        results.add(f"corrections_{name}_abs", most[1], 0, 5, cells=run.cells, variant=variant)
     if not quick:
         draw_iterations(found)
 

@@ -41,14 +41,16 @@ def check(seed, exact):
     factors = np.sort(table[np.nanargmin(table[:, 2]), :2])
     for name, value, reference in zip(("lower", "upper"), factors, exact):
         # bound: what was asked for
-        results.add(f"{name}_factor_seed{seed}", value, reference, 0.05, cells=CELLS**3)
+        results.add(f"{name}_factor", value, reference, 0.05, cells=CELLS**3,
+                    variant=f"seed{seed}")
     # bound: a wave that the factors damp less shows only when it has overtaken the
     # longest one, whose residual is HIGH/LOW times as large at the start: within the
     # 300 pairs before the middle of what is measured, if it is so much slower
-    results.at_least(f"rate_over_best_seed{seed}", rate(factors) / rate(exact),
-                     1 - np.log(HIGH / LOW) / 300 / rate(exact), cells=CELLS**3)
+    results.at_least("rate_over_best", rate(factors) / rate(exact),
+                     1 - np.log(HIGH / LOW) / 300 / rate(exact), cells=CELLS**3,
+                     variant=f"seed{seed}")
     # bound: what was asked for; counted until the best run so far stays within 5 %
-    results.add(f"solves_seed{seed}_abs", solves(table, exact), 0, 60)
+    results.add("solves_abs", solves(table, exact), 0, 60, variant=f"seed{seed}")
     return factors
 
 

@@ -39,8 +39,8 @@ def main():
     for folder in sorted(glob.glob("runs/clamped*"), key=lambda f: int(f[12:])):
         run = Case(folder)
         across = int(folder[12:])
-        results.add(f"clamped_deflection_{across}across", end(folder), DEFLECTION,
-                    bound(across), seconds=run.seconds, cells=run.cells)
+        results.add("clamped_deflection", end(folder), DEFLECTION, bound(across),
+                    seconds=run.seconds, cells=run.cells, variant=f"{across}across")
     results.write(append=True)
 
 

@@ -33,17 +33,15 @@ def far_from_walls():
         drift = np.hypot(offset[-1, 1], offset[-1, 2]) / PATH
         largest = np.hypot(offset[:, 1], offset[:, 2]).max() / PATH
         mesh = f"mesh{i + 1}"
-        cost = dict(seconds=run.seconds, cells=run.cells)
+        cost = dict(seconds=run.seconds, cells=run.cells, variant=mesh)
         # bound: the project's case table, 1 %
-        results.add(f"omega_over_halfGamma_{mesh}", 2 * spin / RATE, 1,
-                    0.01, **cost)
+        results.add("omega_over_halfGamma", 2 * spin / RATE, 1, 0.01, **cost)
         # bound: theory, the flow at the centre (no body force); 0.2 % is what finite
         # walls may do to it (S5)
-        results.add(f"U_over_gammaH_{mesh}", speed / (RATE * HEIGHT), 1,
-                    0.002, **cost)
+        results.add("U_over_gammaH", speed / (RATE * HEIGHT), 1, 0.002, **cost)
         # bound: the project's case table, 5e-4 of the path; at the end, and the largest
-        results.add(f"drift_over_path_{mesh}_abs", drift, 0, 5e-4, **cost)
-        results.add(f"largest_drift_over_path_{mesh}_abs", largest, 0, 5e-4)
+        results.add("drift_over_path_abs", drift, 0, 5e-4, **cost)
+        results.add("largest_drift_over_path_abs", largest, 0, 5e-4, variant=mesh)
         drifts.append(largest)
         spins.append(abs(mean_over_time(run, abs(2 * run.spin(BODY)[:, 1] / RATE - 1))))
     if not quick:
@@ -70,10 +68,10 @@ def confinement():
     spins = [2 * run.spin(BODY)[-1, 1] / RATE for run in runs]
     for run, spin, width in zip(runs, spins, (30, 60, 120)):
         # bound: the project's case table, 1 %; twice that in the narrowest
-        results.add(f"omega_over_halfGamma_halfWidth{width}", spin, 1,
-                    0.02 if width == 30 else 0.01, seconds=run.seconds, cells=run.cells)
+        results.add("omega_over_halfGamma", spin, 1, 0.02 if width == 30 else 0.01,
+                    seconds=run.seconds, cells=run.cells, variant=f"halfWidth{width}")
     # bound: a box may cost 0.2 % (the project's case table, S5)
-    results.add("confinement_halfWidth60_abs", spins[1] - spins[2], 0, 2e-3)
+    results.add("confinement_abs", spins[1] - spins[2], 0, 2e-3, variant="halfWidth60")
 
 
 def beside_a_wall():
@@ -86,12 +84,12 @@ def beside_a_wall():
             continue
         speed = run.velocity(BODY)[-1, 0] / (RATE * RADIUS * ratio)
         spin = 2 * run.spin(BODY)[-1, 1] / RATE
-        cost = dict(seconds=run.seconds, cells=run.cells)
+        cost = dict(seconds=run.seconds, cells=run.cells, variant=f"at_{ratio:.4g}a")
         # bound: the project's case table, 2 % of the exact table
         bound = 0.02
-        results.add(f"U_over_gammaH_at_{ratio:.4g}a", speed, row["U_over_gh"], bound, **cost)
-        results.add(f"omega_over_halfGamma_at_{ratio:.4g}a", spin,
-                    row["twoOmega_over_g"], bound, **cost)
+        results.add("U_over_gammaH_beside_a_wall", speed, row["U_over_gh"], bound, **cost)
+        results.add("omega_over_halfGamma_beside_a_wall", spin, row["twoOmega_over_g"], bound,
+                    **cost)
         points.append((ratio, speed, spin))
     if not quick:
         draw_wall(np.array(points))

@@ -50,7 +50,8 @@ class Run(Case):
         super().__init__(folder)
         ratio, self.kind = re.fullmatch(r"w([\d.]+)([a-z]*)",
                                         os.path.basename(folder)).groups()
-        self.name = f"w{ratio}" + (f"_{self.kind}" if self.kind else "")
+        self.variant, self.suffix = f"w{ratio}", f"_{self.kind}" if self.kind else ""
+        self.name = self.variant + self.suffix
         self.speed = float(ratio) * helix().free
         magnet = self.history[f"effects/magnetics/{BODY}"]
         self.t, self.lag, self.slips = magnet["time"], magnet["lag"], magnet["slips"][-1]
@@ -88,24 +89,28 @@ def follows(run):
     step_out = run.speed / np.sin(run.lag[-6:].mean())
     # bound: second order with 24 steps a turn, (2 pi/24)^2/12 = 0.6 %, and 0.4 % since
     # a new mesh has another resistance
-    results.add(f"step_out_{run.name}", step_out / theory, 1, 0.01, **run.cost)
+    results.add(f"step_out{run.suffix}", step_out / theory, 1, 0.01, **run.cost,
+                variant=run.variant)
     if not run.kind:
         # bound: the project's case table, 3 %
-        results.add(f"step_out_{run.name}_axial_law", step_out / helix().axial, 1, 0.03)
+        results.add("step_out_axial_law", step_out / helix().axial, 1, 0.03,
+                    variant=run.variant)
 
 
 def steps_out(run):
     mean, free = run.mean(), helix().free
     # bound: 1 % of the speed of stepping out, 1.3 times as much here at 1.25 times it,
     # and 1 % of the field's for the time in which it slips
-    results.add(f"mean_speed_{run.name}_abs", mean / free,
-                (run.speed - np.sqrt(run.speed**2 - free**2)) / free, 0.03, **run.cost)
+    results.add(f"mean_speed{run.suffix}_abs", mean / free,
+                (run.speed - np.sqrt(run.speed**2 - free**2)) / free, 0.03, **run.cost,
+                variant=run.variant)
     # bound: as below stepping out
-    results.add(f"step_out_{run.name}", np.sqrt(run.speed**2 - (run.speed - mean)**2) / free,
-                1, 0.01)
+    results.add(f"step_out{run.suffix}", np.sqrt(run.speed**2 - (run.speed - mean)**2) / free,
+                1, 0.01, variant=run.variant)
     # bound: the project's case table, 3 %
-    results.add(f"step_out_{run.name}_axial_law",
-                np.sqrt(run.speed**2 - (run.speed - mean)**2) / helix().axial, 1, 0.03)
+    results.add(f"step_out{run.suffix}_axial_law",
+                np.sqrt(run.speed**2 - (run.speed - mean)**2) / helix().axial, 1, 0.03,
+                variant=run.variant)
 
 
 def model_of(run):
@@ -127,24 +132,26 @@ def main():
             (follows if run.speed < free else steps_out)(run)
             advance = helix().advance_held if run.kind else helix().advance
             # bound: as for stepping out, a ratio of two resistances of a new mesh
-            results.add(f"advance_{run.name}", run.advance() / advance, 1, 0.01)
+            results.add(f"advance{run.suffix}", run.advance() / advance, 1, 0.01,
+                        variant=run.variant)
         if run.kind != "held":
             axis, moment = model_of(run)
             ways[run.name] = (run, axis)
             # bound: mobilities off by 3 % (case table) of a cone of 4 degrees, and its phase by
             # 0.6 % of a turn in each of two turns: 0.12 and 0.28 degrees
-            results.add(f"largest_tilt_{run.name}_abs", run.tilt().max(),
-                        np.degrees(np.arccos(axis[:, 2])).max(), 0.5)
+            results.add(f"largest_tilt{run.suffix}_abs", run.tilt().max(),
+                        np.degrees(np.arccos(axis[:, 2])).max(), 0.5, variant=run.variant)
             # where the axis points, not only how far
             # bound: twice that of the tilt, across the cone's radius as along it
-            results.add(f"axis_{run.name}_degrees_abs",
-                        np.degrees(np.linalg.norm(run.axis - axis[1:], axis=1)).max(), 0, 1)
+            results.add(f"axis{run.suffix}_degrees_abs",
+                        np.degrees(np.linalg.norm(run.axis - axis[1:], axis=1)).max(), 0, 1,
+                        variant=run.variant)
             # the moment stays in the body at its angle to the axis
             alignment = np.einsum("ij,ij->i", run.axis, run.moment)
             given = np.cos(np.radians(75)) if run.kind == "tilted" else 0
             # bound: round-off
-            results.add(f"moment_along_axis_{run.name}_abs",
-                        np.abs(alignment - given).max(), 0, 1e-9)
+            results.add(f"moment_along_axis{run.suffix}_abs",
+                        np.abs(alignment - given).max(), 0, 1e-9, variant=run.variant)
 
     if not quick:
         figure, (left, right) = plots.plt.subplots(1, 2, figsize=(10.4, 4.4))

@@ -93,7 +93,8 @@ def main():
         if (sites, correction) != ("molecules", "none") or n == finest >= 24:
             name = f"{sites}_{correction}" + ("_one_a_face" if one else "")
             # bound: three standard deviations of the mean over the seeds
-            results.add(f"{name}_{n}across_sigmas_abs", (bonds - law) / deviation, 0, 3)
+            results.add(f"{name}_sigmas_abs", (bonds - law) / deviation, 0, 3,
+                        variant=f"{n}across")
     grown = np.array(series["faces", "global", True])
     slope = np.log(grown[-1, 1] / grown[0, 1]) / np.log(grown[-1, 0] / grown[0, 0]) / 2
     noise = np.hypot(grown[0, 2] / grown[0, 1], grown[-1, 2] / grown[-1, 1])

@@ -104,14 +104,13 @@ def spinning():
         steps = np.array([1 / r.steps for r in these])
         errors[name] = np.array([r.difference(finest) for r in these])
         for r, step, error in zip(these, steps, errors[name]):
-            results.add(f"spin_{scheme}_angular_momentum_step_{step:g}tau_abs",
-                        error, 0, spin_bound(scheme, step),
-                        seconds=r.run.seconds, cells=r.run.cells)
+            results.add(f"spin_{scheme}_angular_momentum_abs", error, 0, spin_bound(scheme, step),
+                        seconds=r.run.seconds, cells=r.run.cells, variant=f"step_{step:g}tau")
             # what is damped may not come back; bound: none of the schemes gains
             # energy in a linear body, one with strains of 5e-3 is within a fifth
             # of that linear (chosen)
-            results.add(f"spin_{scheme}_energy_gain_step_{step:g}tau_abs",
-                        max(0, r.energy.max() - 1), 0, 1e-3)
+            results.add(f"spin_{scheme}_energy_gain_abs", max(0, r.energy.max() - 1), 0, 1e-3,
+                        variant=f"step_{step:g}tau")
     orders = plots.convergence(
         "angularMomentum.png", steps, errors, xlabel="step / turn",
         ylabel="error in time of the angular momentum",
@@ -222,8 +221,8 @@ def frequency():
         w = true_frequency(run)[0]
         # bound: n cells take 1/n^2 of a bending moment wrongly (midpoint rule), and
         # the frequency goes with its root
-        results.add(f"frequency_mesh{n}", w, theory, 0.5 / n**2,
-                    seconds=run.seconds, cells=run.cells)
+        results.add("frequency", w, theory, 0.5 / n**2, seconds=run.seconds, cells=run.cells,
+                    variant=f"mesh{n}")
         across.append(n)
         values.append(w)
     if not quick:
@@ -271,8 +270,8 @@ def damping():
             lacks[n] = 1 - decay / (w**2 * tau / 2)
             # bound: what has no viscosity (see README) is of second order; the
             # factor is chosen
-            results.add(f"damped_decay_mesh{n}", decay, w**2 * tau / 2,
-                        2.5 / n**2, seconds=run.seconds, cells=run.cells)
+            results.add("damped_decay", decay, w**2 * tau / 2, 2.5 / n**2, seconds=run.seconds,
+                        cells=run.cells, variant=f"mesh{n}")
     # bound: second order
     results.at_least("damped_decay_order",
                      convergence.orders((1 / 8, 1 / 16), (lacks[8], lacks[16]))[0], 1.8)
@@ -304,9 +303,8 @@ def creeping():
         steps.append(1 / n)
         errors.append(np.abs(u - exact).max())
         # bound: the tolerance of the residual, 1e-12, with room for the matrix
-        results.add(f"creep_recurrence_step_{1 / n:g}tau_abs",
-                    np.abs(u - discrete).max(), 0, 1e-8, seconds=run.seconds,
-                    cells=run.cells)
+        results.add("creep_recurrence_abs", np.abs(u - discrete).max(), 0, 1e-8,
+                    seconds=run.seconds, cells=run.cells, variant=f"step_{1 / n:g}tau")
         if i < 3:
             axes.plot(table["time"], u, ls="none", marker=plots.MARKERS[i],
                       mfc="white", color=plots.COLOURS[i],

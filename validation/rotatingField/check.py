@@ -70,16 +70,17 @@ def main():
         if run.speed < critical:
             # bound: what is left of the start, exp(-t sqrt(wc^2 - w^2)) < exp(-8), and as much
             # again for the errors of meshes
-            results.add(f"speed_{run.name}", run.mean() / run.speed, 1, 1e-3, **run.cost)
+            results.add("speed", run.mean() / run.speed, 1, 1e-3, **run.cost, variant=run.name)
             # bound: resistances of two meshes differ by less than half of the first bound
-            results.add(f"sine_of_lag_{run.name}", np.sin(run.end(run.lag)),
-                        run.speed / critical, 2e-3, **run.cost)
+            results.add("sine_of_lag", np.sin(run.end(run.lag)),
+                        run.speed / critical, 2e-3, **run.cost, variant=run.name)
         else:
             # bound: a second-order error of n steps a turn, (2 pi/n)^2/12 = 2.1e-3 for 40; of
             # 20 steps 8e-3, or on the coarse mesh, less than half of the first bound more
             bound = 5e-3 if quick or run.steps < 40 else 2e-3
-            results.add(f"mean_speed_{run.name}_abs", run.mean() / critical,
-                        law(run.speed, critical) / critical, bound, **run.cost)
+            results.add("mean_speed_abs", run.mean() / critical,
+                        law(run.speed, critical) / critical, bound, **run.cost,
+                        variant=run.name)
 
     if not quick:
         figure, axes = plots.plt.subplots()

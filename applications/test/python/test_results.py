@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 import pytest
 
-from fsbi import results
+from fsbi import results, table
 
 WITHIN = dict(quantity="omega", value=25.1e-6, reference=25e-6, bound=0.01)
 
@@ -50,3 +50,9 @@ def test_file_without_rows_fails(scratch):
 def test_reference_of_zero_needs_abs():
     with pytest.raises(ValueError, match="_abs"):
         results.Results("S6").add("drift", 1e-5, 0, 1e-4)
+
+
+def test_variants_of_a_quantity_are_one_line_of_the_table(scratch):
+    written(dict(WITHIN, variant="mesh1"), dict(WITHIN, value=25.2e-6, variant="mesh2"))
+    line, = table.quantity_lines("./results.csv", "./README.md")
+    assert "| omega | 2 | 0.008 | 0.01 |" in line

@@ -4,14 +4,15 @@
 
     results = Results("S6")
     results.add("omega", 25.1e-6, reference=25e-6, bound=0.01, seconds=41)
-    results.add("drift_abs", 3e-5, reference=0, bound=5e-4)
+    results.add("drift_abs", 3e-5, reference=0, bound=5e-4, variant="mesh2")
     results.write()
     sys.exit(results.check())
 
 The error is relative to the reference, or absolute when the quantity's name
-ends in _abs. Several parts of a validation may append to one file:
-results.write(append=True). On the command line, `results.py results.csv`
-prints and checks a file.
+ends in _abs. A quantity of several meshes, steps or seeds is one quantity with
+as many variants: tables show the one that comes closest to its bound. Several
+parts of a validation may append to one file: results.write(append=True). On the
+command line, `results.py results.csv` prints and checks a file.
 """
 
 import csv
@@ -19,7 +20,7 @@ import math
 import os
 import sys
 
-HEADER = "case,quantity,value,reference,error,bound,seconds,cells,procs".split(",")
+HEADER = "case,quantity,variant,value,reference,error,bound,seconds,cells,procs".split(",")
 
 
 def error(quantity, value, reference):
@@ -42,8 +43,9 @@ def passed(row):
 
 def line(row):
     """One line of a test's print-out."""
+    name = " ".join(filter(None, (row["case"], row["quantity"], row["variant"])))
     text = (
-        f"{row['case']} {row['quantity']}: value {float(row['value']):.6g}, "
+        f"{name}: value {float(row['value']):.6g}, "
         f"reference {float(row['reference']):.6g}, "
         f"error {float(row['error']):.2e}, bound {float(row['bound']):.1e}"
     )
@@ -73,24 +75,25 @@ class Results:
         self.rows = []
 
     def add(self, quantity, value, reference, bound, seconds=math.nan,
-            cells=0, procs=1):
+            cells=0, procs=1, variant=""):
         """One quantity; a bound on the value itself has reference 0 and _abs."""
         return self._row(quantity, value, reference,
                          error(quantity, value, reference),
-                         bound, seconds, cells, procs)
+                         bound, seconds, cells, procs, variant)
 
     def at_least(self, quantity, value, lowest, seconds=math.nan, cells=0,
-                 procs=1):
+                 procs=1, variant=""):
         """One-sided, as for orders of convergence: the error is what lacks,
         relative, and must be zero."""
         lack = 0 if value >= lowest else abs(value / lowest - 1)
-        return self._row(quantity, value, lowest, lack, 0, seconds, cells, procs)
+        return self._row(quantity, value, lowest, lack, 0, seconds, cells, procs, variant)
 
     def _row(self, quantity, value, reference, error, bound, seconds, cells,
-             procs):
+             procs, variant):
         row = dict(
             case=self.case,
             quantity=quantity,
+            variant=variant,
             value=f"{value:.10g}",
             reference=f"{reference:.10g}",
             error=f"{error:.4g}",

@@ -8,28 +8,22 @@ r"""Write the validation tables of two READMEs from the results.csv files.
 
 A table replaces what stands between the lines <!-- results --> and
 <!-- /results -->: in the first file a line for each folder, in the second one
-for each quantity. Rows that differ only in mesh, height, step or width are one
-quantity, with the row that comes closest to its bound.
+for each quantity, with the variant (mesh, height, step, seed) that comes closest
+to its bound.
 """
 
 import math
 import os
-import re
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from fsbi import results           # noqa: E402
 
-VARIANT = re.compile(
-    r"_(mesh\d+|at_[\d.]+a|step_[\d.e+-]+tau|[\d.]+us|halfWidth\d+|\d+across|w[\d.]+|\d+steps"
-    r"|seed\d+|StVenantKirchhoff|neoHookean|displacements|tractions)(?=_|$)")
 START, END = "<!-- results -->", "<!-- /results -->"
 
 
 def group(row):
-    name = VARIANT.sub("", row["quantity"]).removesuffix("_abs").replace("_", " ")
-    wall = "_at_" in row["quantity"] and "wall" not in name
-    return name + " beside a wall" if wall else name
+    return row["quantity"].removesuffix("_abs").replace("_", " ")
 
 
 def one_sided(row):
