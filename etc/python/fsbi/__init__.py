@@ -4,6 +4,7 @@
 
 history   time series of a run      results   results.csv and its bounds
 plots     curves, convergence       picture   meshes, bodies and fields
+movie     films of those            pictures  small files of all of them
 case      a finished run            errors    distance from an exact solution
 convergence    orders, limits       accuracy_cost  the parts of fsbiAccuracyCost
 

@@ -19,7 +19,7 @@ import tempfile
 import numpy as np
 from PIL import Image
 
-from fsbi import cuts, picture, vtk_files
+from fsbi import cuts, picture, pictures, vtk_files
 
 
 def options_of():
@@ -78,8 +78,7 @@ def frames(options, states, folder):
 def join(files, output, fps):
     os.makedirs(os.path.dirname(output) or ".", exist_ok=True)
     if output.endswith(".gif"):
-        last = Image.open(files[-1])
-        palette = last.quantize(256, method=Image.Quantize.MAXCOVERAGE)
+        palette = pictures.palette(Image.open(files[-1]))
         first, *others = [Image.open(f).quantize(palette=palette) for f in files]
         first.save(output, save_all=True, append_images=others, loop=0,
                    duration=round(1000 / fps), optimize=True)

@@ -15,14 +15,13 @@ Without a display run it as
 """
 
 import argparse
-import os
 import sys
 
 import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
-from fsbi import cuts, vtk_files
+from fsbi import cuts, pictures, vtk_files
 
 BODY_COLOURS = ["#E8A33D", "#5FB3D9", "#D98CB3", "#7FBF7B", "#C9C9C9"]
 
@@ -218,11 +217,7 @@ def page(pixels, bars, options, title):
         scale.outline.set_linewidth(0.5)
         bar.tick_params(labelsize=9, length=3)
         figure.text(0.38, (y + 0.065) / total[1], label, ha="right", va="center", fontsize=10)
-    folder = os.path.dirname(options.output)
-    os.makedirs(folder or ".", exist_ok=True)
-    figure.savefig(options.output)
-    plt.close(figure)
-    plots._shrink(options.output, 400_000)
+    pictures.save(figure, options.output, 400_000)
 
 
 def title_of(options, time, largest_B):

@@ -13,13 +13,11 @@
     orders = plots.convergence("order.png", h, {"velocity": errors}, order=2)
 """
 
-import os
-
 import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
-from PIL import Image
 
+from . import pictures
 from .convergence import orders as observed
 
 matplotlib.use("Agg")           # no display is needed
@@ -62,18 +60,8 @@ plt.rcParams.update(STYLE)
 def save(figure, path):
     """Write a PNG of at most 150 kB and close the figure."""
     figure.tight_layout()
-    figure.savefig(path)
-    plt.close(figure)
-    _shrink(path)
+    pictures.save(figure, path)
     print(f"    {path}")
-
-
-def _shrink(path, limit=150_000):
-    """A palette of 256 colours where the full ones take too much room."""
-    if os.path.getsize(path) > limit:
-        full = Image.open(path).convert("RGB")
-        palette = full.quantize(256, method=Image.Quantize.MAXCOVERAGE)
-        full.quantize(palette=palette).save(path, optimize=True)     # dithered
 
 
 def curves(path, computed, theory=(), xlabel="", ylabel="", title="",

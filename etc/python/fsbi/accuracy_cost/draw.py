@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from fsbi import plots
+from fsbi import pictures, plots
 
 TITLES = {"mesh": "mesh", "timeStep": "time step", "tolerance": "tolerance"}
 SMALLEST = 1e-9             # errors of zero have no place on the axis
@@ -34,13 +34,7 @@ def draw(study, path, advice=None, accuracy=None, verified=None, title=""):
                   fontsize=9.5, frameon=False)
     rows = -(-len(labels) // 4)
     figure.tight_layout(rect=(0, 0.045 + 0.04 * rows, 1, 1))
-    _save(figure, path)
-
-
-def _save(figure, path):
-    figure.savefig(path)
-    plots.plt.close(figure)
-    plots._shrink(path)
+    pictures.save(figure, path)
     print(f"    {path}")
 
 
