@@ -26,10 +26,10 @@ Foam::scalar Foam::fsbi::timings::heap()
 }
 
 
-Foam::fsbi::timings::scope Foam::fsbi::timings::weigh(const word& part)
+Foam::fsbi::timings::scope Foam::fsbi::timings::profileMemory(const word& part)
 {
     cost& c = at(part);
-    c.weighed = true;
+    c.memoryProfiled = true;
     return scope(c);
 }
 
@@ -69,7 +69,7 @@ void Foam::fsbi::timings::report(Ostream& os) const
     for (const word& part : parts_)
     {
         const cost& c = costs_[part];
-        row(part, c.seconds, c.weighed ? megabytes(c.bytes/1e6).c_str() : "");
+        row(part, c.seconds, c.memoryProfiled ? megabytes(c.bytes/1e6).c_str() : "");
         rest -= c.seconds;
     }
     row("other", rest, "");

@@ -205,12 +205,12 @@ Foam::fsbi::bondStep::candidates(const label set, const label site) const
 }
 
 
-Foam::fsbi::reactingSites::clock& Foam::fsbi::bondStep::clockOf
+Foam::fsbi::reactingSites::waitingTime& Foam::fsbi::bondStep::waitingTimeOf
 (
     const label i
 )
 {
-    return state_.clocks[{active_[i].set, active_[i].site}];
+    return state_.waitingTimes[{active_[i].set, active_[i].site}];
 }
 
 

@@ -180,7 +180,7 @@ void Foam::fsbi::bonds::save(dictionary& state) const
 
     labelList events;
     scalarList left;
-    for (const auto& entry : state_.clocks)
+    for (const auto& entry : state_.waitingTimes)
     {
         events.append
         (
@@ -228,10 +228,10 @@ void Foam::fsbi::bonds::restore(const dictionary& state)
     }
     const labelList events(state.get<labelList>("events"));
     const scalarList left(state.get<scalarList>("left"));
-    state_.clocks.clear();
+    state_.waitingTimes.clear();
     forAll(left, i)
     {
-        state_.clocks[{events[3*i], events[3*i + 1]}] =
+        state_.waitingTimes[{events[3*i], events[3*i + 1]}] =
             {events[3*i + 2], left[i]};
     }
 }

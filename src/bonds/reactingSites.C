@@ -33,7 +33,7 @@ void Foam::fsbi::reactingSites::advance(const scalar dt)
     std::priority_queue<appointment> events;
     const auto appoint = [&](const label site, const scalar time)
     {
-        clock& c = clockOf(site);
+        waitingTime& c = waitingTimeOf(site);
         if (c.left < 0)
         {
             c.left = -std::log(draws(site, c.events).uniform());
@@ -58,9 +58,9 @@ void Foam::fsbi::reactingSites::advance(const scalar dt)
     {
         const appointment next(events.top());
         events.pop();
-        clock& c = clockOf(next.site);
+        waitingTime& c = waitingTimeOf(next.site);
         counterRandom::stream numbers(draws(next.site, c.events));
-        numbers.uniform();      // the clock's own
+        numbers.uniform();      // the waiting time's own
         react(next.site, next.time, numbers);
         ++c.events;
         c.left = -1;

@@ -48,7 +48,7 @@ void Foam::fsbi::effectList::read(const dictionary& saved)
                 << "Entry '" << e.keyword() << "' is no dictionary: an effect"
                 << " is name { ... }" << exit(FatalIOError);
         }
-        auto timer = timings_.weigh(e.keyword());
+        auto timer = timings_.profileMemory(e.keyword());
         effects_.append(effect::New(e, around_));
     }
     restore(saved);
@@ -132,7 +132,7 @@ const Foam::fsbi::loads& Foam::fsbi::effectList::apply()
     culprit_.clear();
     for (const effect& e : effects_)
     {
-        auto timer = timings_.weigh(e.type());
+        auto timer = timings_.profileMemory(e.type());
         e.apply(loads_);
         if (culprit_.empty() && !loads_.finite())
         {
@@ -148,7 +148,7 @@ Foam::scalar Foam::fsbi::effectList::longestStep(string& reason) const
     scalar longest = GREAT;
     for (const effect& e : effects_)
     {
-        auto timer = timings_.weigh(e.type());
+        auto timer = timings_.profileMemory(e.type());
         string why;
         const scalar dt = e.longestStep(why);
         if (dt < longest)
@@ -176,7 +176,7 @@ bool Foam::fsbi::effectList::acceptable(string& reason) const
 {
     for (const effect& e : effects_)
     {
-        auto timer = timings_.weigh(e.type());
+        auto timer = timings_.profileMemory(e.type());
         if (!e.acceptable(reason))
         {
             return false;
@@ -199,7 +199,7 @@ void Foam::fsbi::effectList::record(recording& history) const
 {
     for (const effect& e : effects_)
     {
-        auto timer = timings_.weigh(e.type());
+        auto timer = timings_.profileMemory(e.type());
         e.record(history);
     }
 }
@@ -221,7 +221,7 @@ void Foam::fsbi::effectList::beginStep()
 {
     for (effect& e : effects_)
     {
-        auto timer = timings_.weigh(e.type());
+        auto timer = timings_.profileMemory(e.type());
         e.beginStep();
     }
 }
@@ -231,7 +231,7 @@ void Foam::fsbi::effectList::rewind()
 {
     for (effect& e : effects_)
     {
-        auto timer = timings_.weigh(e.type());
+        auto timer = timings_.profileMemory(e.type());
         e.rewind();
     }
 }
@@ -241,7 +241,7 @@ void Foam::fsbi::effectList::endStep()
 {
     for (effect& e : effects_)
     {
-        auto timer = timings_.weigh(e.type());
+        auto timer = timings_.profileMemory(e.type());
         e.endStep();
     }
 }

@@ -265,7 +265,7 @@ Foam::scalarField Foam::fsbi::fieldDesign::start
 }
 
 
-void Foam::fsbi::fieldDesign::descend
+void Foam::fsbi::fieldDesign::gaussNewtonStep
 (
     const task& t, const scalar damping, scalarField& y
 ) const
@@ -335,7 +335,7 @@ Foam::fsbi::fieldDesign::solution Foam::fsbi::fieldDesign::from
     {
         for (scalar l = firstLambda; l > lastLambda; l *= lambdaRatio)
         {
-            descend(t, l*sigma, y);
+            gaussNewtonStep(t, l*sigma, y);
         }
     }
     return madeBy(t, y);

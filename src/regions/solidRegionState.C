@@ -16,12 +16,12 @@ void Foam::fsbi::solidRegion::visitState(const Visitor& visit)
     visit("faceForce", faceForce_);
     if (moves())
     {
-        visit("prior", elastic_->prior());
-        visit("carried", elastic_->carried());
+        visit("prior", elastic_->referenceF());
+        visit("carried", elastic_->jumpHistory());
     }
     if (material_->viscosity() > 0)
     {
-        visit("before", elastic_->before());
+        visit("before", elastic_->oldF());
     }
     motion_->fields
     (

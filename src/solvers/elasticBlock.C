@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "elasticBlock.H"
+#include "asVectors.H"
 #include "compactPressures.H"
 
 Foam::fsbi::elasticBlock::elasticBlock
@@ -200,7 +201,7 @@ void Foam::fsbi::elasticBlock::begin
 ) const
 {
     const label nCells = stencil_.nCells();
-    const vector* row = reinterpret_cast<const vector*>(r);
+    const vector* row = asVectors(r);
     std::copy_n(row, nCells, rhs.begin() + firstRow_);
 
     // what ghosts leave to the surface, or to cells where it is held
@@ -273,8 +274,8 @@ void Foam::fsbi::elasticBlock::end
 ) const
 {
     const label nCells = stencil_.nCells();
-    const vector* row = reinterpret_cast<const vector*>(r);
-    vector* u = reinterpret_cast<vector*>(z);
+    const vector* row = asVectors(r);
+    vector* u = asVectors(z);
     for (label i = 0; i < nCells; ++i)
     {
         u[i] = velocity[firstRow_ + i]/body_.rate;

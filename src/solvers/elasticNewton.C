@@ -47,8 +47,8 @@ void Foam::fsbi::elasticNewton::applyJacobian
     const scalar* dx, scalar* dr
 ) const
 {
-    elastic_.tangent(dx, dr);
-    residual_.finishTangent(dx, dr);
+    elastic_.applyJacobian(dx, dr);
+    residual_.finishJacobian(dx, dr);
 }
 
 

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "elasticPreconditioner.H"
+#include "asVectors.H"
 #include "compactPressures.H"
 
 Foam::fsbi::elasticPreconditioner::elasticPreconditioner
@@ -114,7 +115,7 @@ void Foam::fsbi::elasticPreconditioner::sweep
 void Foam::fsbi::elasticPreconditioner::addGhosts(const scalar* r) const
 {
     const vector* ghostRow =
-        reinterpret_cast<const vector*>(r) + mesh_.nCells();
+        asVectors(r) + mesh_.nCells();
     for (label g = 0; g < stencil_.nGhosts(); ++g)
     {
         const label i = stencil_.firstBoundary() + g;
@@ -159,7 +160,7 @@ void Foam::fsbi::elasticPreconditioner::apply
 {
     std::copy_n
     (
-        reinterpret_cast<const vector*>(r), mesh_.nCells(), rhs_.begin()
+        asVectors(r), mesh_.nCells(), rhs_.begin()
     );
     addGhosts(r);
     addPressures(r, z);
@@ -167,7 +168,7 @@ void Foam::fsbi::elasticPreconditioner::apply
     const label nCells = mesh_.nCells();
     std::copy_n
     (
-        reinterpret_cast<const vector*>(r) + nCells, stencil_.nGhosts(),
+        asVectors(r) + nCells, stencil_.nGhosts(),
         z_.begin() + nCells
     );
     elastic_.followCells(z_.begin());

@@ -21,7 +21,7 @@ void Foam::fsbi::elasticRows::residual(const scalar* x, scalar* r) const
 
 void Foam::fsbi::elasticRows::applyJacobian(const scalar* dx, scalar* dr) const
 {
-    elastic->tangent(dx, dr);
+    elastic->applyJacobian(dx, dr);
     forAll(mass, celli)
     {
         for (label i = 3*celli; i < 3*celli + 3; ++i)

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "segregated.H"
+#include "asVectors.H"
 #include "compactEntries.H"
 #include "globalIndex.H"
 
@@ -166,7 +167,7 @@ Foam::fsbi::solverReport Foam::fsbi::segregated::solve
         }
         residual_.unscale(residual_.rows().cdata(), rows_);
         solveCells();
-        elastic_.followCells(reinterpret_cast<vector*>(rows_.begin()));
+        elastic_.followCells(asVectors(rows_.begin()));
         forAll(x, i)
         {
             x[i] -= relaxation_*rows_[i];

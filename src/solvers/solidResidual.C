@@ -115,7 +115,7 @@ bool Foam::fsbi::solidResidual::evaluate(const scalarList& x)
 }
 
 
-void Foam::fsbi::solidResidual::finishTangent
+void Foam::fsbi::solidResidual::finishJacobian
 (
     const scalar* dx, scalar* dr
 ) const

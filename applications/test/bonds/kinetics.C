@@ -21,7 +21,7 @@ public:
 
     const scalar on, off;
     label seed = 0;
-    List<clock> clocks;
+    List<waitingTime> waitingTimes;
     boolList bound;
     scalarList since;
     scalar now = 0;
@@ -31,13 +31,13 @@ public:
 
     twoStates(const label n, const scalar on, const scalar off)
     :
-        on(on), off(off), clocks(n), bound(n, false), since(n, Zero)
+        on(on), off(off), waitingTimes(n), bound(n, false), since(n, Zero)
     {}
 
     label size() const override { return bound.size(); }
     scalar rate(const label i) const override { return bound[i] ? off : on; }
 
-    clock& clockOf(const label i) override { return clocks[i]; }
+    waitingTime& waitingTimeOf(const label i) override { return waitingTimes[i]; }
 
     counterRandom::stream draws
     (
@@ -88,7 +88,7 @@ public:
 
     const scalar force, on;
     const counterRandom random;
-    List<clock> clocks;
+    List<waitingTime> waitingTimes;
     boolList bound;
     label number;
 
@@ -97,14 +97,14 @@ public:
         const label n, const scalar force, const scalar on, const label seed
     )
     :
-        force(force), on(on), random(seed, "cluster"), clocks(n),
+        force(force), on(on), random(seed, "cluster"), waitingTimes(n),
         bound(n, true),
         number(n)
     {}
 
     label size() const override { return bound.size(); }
 
-    clock& clockOf(const label i) override { return clocks[i]; }
+    waitingTime& waitingTimeOf(const label i) override { return waitingTimes[i]; }
 
     counterRandom::stream draws
     (

@@ -153,12 +153,12 @@ static void checkTangent
     body.given.pressure = 0.05;
     body.given.follower = vector(0.01, 0.02, 0.03);
     body.elastic->setStep(2);
-    tensorField& prior = body.elastic->prior();
+    tensorField& prior = body.elastic->referenceF();
     for (label v = 0; form != formulation::totalLagrangian && v < prior.size(); ++v)
     {
         prior[v] = tensor(1.1, 0.1, 0, -0.2, 0.9, 0.1, 0, 0.1, 1.05);
     }
-    body.elastic->before() = prior;
+    body.elastic->oldF() = prior;
 
     const label n = body.x.size();
     scalarList dx(n), plus(n), minus(n), dr(n);
@@ -181,7 +181,7 @@ static void checkTangent
     evaluate(-step, minus);
     scalarList r(n);
     evaluate(0, r);
-    body.elastic->tangent(dx.cdata(), dr.begin());
+    body.elastic->applyJacobian(dx.cdata(), dr.begin());
     scalar most = 0;
     forAll(dr, i)
     {
@@ -237,8 +237,8 @@ static void checkDefinitions(checks& c, const fvMesh& mesh, const bool mixed)
             mesh, "type StVenantKirchhoff; E 1; nu 0.3;", allGiven, form.first,
             mixed
         );
-        body.elastic->prior() = prior;
-        body.elastic->before() = prior;
+        body.elastic->referenceF() = prior;
+        body.elastic->oldF() = prior;
         set(body, [&](const point& p){ return H & p; });
         const label first = 3*(mesh.nCells() + body.elastic->nGhosts());
         for (label i = first; i < body.x.size(); ++i)

@@ -163,16 +163,16 @@ Foam::scalar Foam::fsbi::designEntries::volume() const
 }
 
 
-Foam::fsbi::course Foam::fsbi::designEntries::wanted() const
+Foam::fsbi::trajectory Foam::fsbi::designEntries::wanted() const
 {
     if (dict_.found("tether"))
     {
-        return tetherCourse
+        return tetherTrajectory
         (
             entries_.subDict("tether"), body_, time_.globalPath(), elastic()
         );
     }
-    return pathCourse
+    return pathTrajectory
     (
         entries_.subDict("trajectory"), body_, bodyDict(), time_
     );

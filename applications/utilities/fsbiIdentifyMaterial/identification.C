@@ -52,13 +52,13 @@ static int residualOf(const gsl_vector* c, void* p, gsl_vector* f)
 
 static int slopesOf(const gsl_vector* c, void* p, gsl_matrix* J)
 {
-    List<vectorField> slopes;
-    of(p).slopes(coordinates(c), slopes);
-    forAll(slopes, k)
+    List<vectorField> jacobian;
+    of(p).jacobian(coordinates(c), jacobian);
+    forAll(jacobian, k)
     {
-        for (label i = 0; i < 3*slopes[k].size(); ++i)
+        for (label i = 0; i < 3*jacobian[k].size(); ++i)
         {
-            gsl_matrix_set(J, i, k, slopes[k][i/3][i % 3]);
+            gsl_matrix_set(J, i, k, jacobian[k][i/3][i % 3]);
         }
     }
     return GSL_SUCCESS;
@@ -85,7 +85,7 @@ Foam::fsbi::identification::identification
     tractions_(tractions),
     norm_(norm),
     at_(constants.size()),
-    slopes_(constants.size())
+    jacobian_(constants.size())
 {
     forAll(at_, k)
     {
@@ -194,7 +194,7 @@ Foam::scalar Foam::fsbi::identification::step(const label k) const
 }
 
 
-void Foam::fsbi::identification::slopes
+void Foam::fsbi::identification::jacobian
 (
     const scalarList& c, List<vectorField>& J
 )
@@ -256,7 +256,7 @@ void Foam::fsbi::identification::find(const scalar springs)
     for (label i = 0; i < 5; ++i)
     {
         const scalar E = modulus();
-        ratio = soften(ratio);
+        ratio = continuation(ratio);
         fit();
         if (mag(modulus() - E) < 0.3*E)
         {
@@ -320,7 +320,7 @@ void Foam::fsbi::identification::refine()
     scalar cost = settle(residual_);
     for (label i = 0; i < maxRefinements; ++i)
     {
-        List<vectorField> J(slopes_);
+        List<vectorField> J(jacobian_);
         if (!tractions_)
         {
             J.append(rigid_);
@@ -341,7 +341,7 @@ void Foam::fsbi::identification::refine()
         {
             break;
         }
-        slopes(scalarList(at_), slopes_);
+        jacobian(scalarList(at_), jacobian_);
     }
     evaluate();
     settle(residual_);
@@ -351,7 +351,7 @@ void Foam::fsbi::identification::refine()
 void Foam::fsbi::identification::evaluate()
 {
     const scalarList found(at_);
-    slopes(found, slopes_);
+    jacobian(found, jacobian_);
     residual(found, residual_);
     vectorField u;
     if (!body_.solve(u))
@@ -361,7 +361,7 @@ void Foam::fsbi::identification::evaluate()
 }
 
 
-Foam::scalar Foam::fsbi::identification::soften(const scalar springs)
+Foam::scalar Foam::fsbi::identification::continuation(const scalar springs)
 {
     // a wrong law may not be able to bear the traction without
     vectorField u;

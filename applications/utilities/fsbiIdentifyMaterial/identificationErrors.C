@@ -32,7 +32,7 @@ bool Foam::fsbi::identification::limited(const label k) const
 }
 
 
-Foam::label Foam::fsbi::identification::freedom() const
+Foam::label Foam::fsbi::identification::degreesOfFreedom() const
 {
     return 3*data_.size() - nConstants() - rigid_.size();
 }
@@ -40,7 +40,7 @@ Foam::label Foam::fsbi::identification::freedom() const
 
 Foam::scalar Foam::fsbi::identification::displacementError() const
 {
-    return Foam::sqrt(sum(magSqr(residual_))/freedom());
+    return Foam::sqrt(sum(magSqr(residual_))/degreesOfFreedom());
 }
 
 
@@ -97,7 +97,7 @@ Foam::scalar Foam::fsbi::identification::noise() const
     return min
     (
         misfit(),
-        roughness(data_.u)*Foam::sqrt(scalar(freedom())/sum(magSqr(u)))
+        roughness(data_.u)*Foam::sqrt(scalar(degreesOfFreedom())/sum(magSqr(u)))
     );
 }
 
@@ -110,7 +110,7 @@ Foam::List<Foam::scalarList> Foam::fsbi::identification::inverse() const
     {
         for (label l = 0; l < p; ++l)
         {
-            JJ(k, l) = sum(slopes_[k] & slopes_[l]);
+            JJ(k, l) = sum(jacobian_[k] & jacobian_[l]);
         }
     }
     const untrapped scope;          // Eigen computes with what it discards
@@ -141,7 +141,7 @@ Foam::List<Foam::scalarList> Foam::fsbi::identification::covariance
         byU[k].setSize(data_.size(), Zero);
         for (label l = 0; l < p; ++l)
         {
-            byU[k] += weights[k][l]*slopes_[l];
+            byU[k] += weights[k][l]*jacobian_[l];
         }
         vectorField response, reaction;
         if (!body_.respond(transfer.fromPoints(byU[k]), response, reaction))

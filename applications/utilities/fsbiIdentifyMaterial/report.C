@@ -53,7 +53,7 @@ static void reportIntervals
 {
     const scalar t = gsl_cdf_tdist_Pinv
     (
-        0.5 + 0.5*confidence, found.freedom()
+        0.5 + 0.5*confidence, found.degreesOfFreedom()
     );
     OFstream os(folder/"constants.csv");
     os.precision(10);

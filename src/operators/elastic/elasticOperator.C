@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "elasticOperator.H"
+#include "asVectors.H"
 #include "sharedVertices.H"
 #include "syncTools.H"
 
@@ -60,9 +61,9 @@ Foam::fsbi::elasticOperator::elasticOperator
     kinds_(kinds),
     stencil_(mesh, kinds),
     deltaT_(GREAT),
-    prior_(mesh.nPoints(), tensor::I),
-    before_(mesh.nPoints(), tensor::I),
-    carried_(stencil_.nFaces(), Zero),
+    referenceF_(mesh.nPoints(), tensor::I),
+    oldF_(mesh.nPoints(), tensor::I),
+    jumpHistory_(stencil_.nFaces(), Zero),
     values_(stencil_.nColumns(), Zero),
     gradient_(mesh.nPoints(), Zero),
     F_(mesh.nPoints(), tensor::I),
@@ -170,7 +171,7 @@ void Foam::fsbi::elasticOperator::gather
 ) const
 {
     const label nCells = mesh_.nCells();
-    const vector* given = reinterpret_cast<const vector*>(x);
+    const vector* given = asVectors(x);
     std::copy_n(given, nCells, values.begin());
     std::copy_n
     (
@@ -245,7 +246,7 @@ Foam::vector Foam::fsbi::elasticOperator::unexplained
 {
     return
         values[stencil_.neighbour()[i]] - values[stencil_.owner()[i]]
-      - (faceMean(i, gradient) & (stencil_.delta()[i] - carried_[i]));
+      - (faceMean(i, gradient) & (stencil_.delta()[i] - jumpHistory_[i]));
 }
 
 
@@ -288,7 +289,7 @@ void Foam::fsbi::elasticOperator::addFaces
     const label nCells = mesh_.nCells();
     const label firstBoundary = stencil_.firstBoundary();
     const scalar mu = material_.mu();
-    vector* row = reinterpret_cast<vector*>(r);
+    vector* row = asVectors(r);
 
     forAll(stencil_.owner(), i)
     {
@@ -364,7 +365,7 @@ void Foam::fsbi::elasticOperator::residual
     vectorField held(stencil_.nFaces());
     forAll(held, i)
     {
-        unexplained_[i] = carried_[i] + unexplained(i, values_, gradient_);
+        unexplained_[i] = jumpHistory_[i] + unexplained(i, values_, gradient_);
         held[i] =
             (stabilisation + faceMean(i, stiffening_))*unexplained_[i];
     }
@@ -399,7 +400,7 @@ void Foam::fsbi::elasticOperator::residual
 }
 
 
-void Foam::fsbi::elasticOperator::tangent(const scalar* dx, scalar* dr) const
+void Foam::fsbi::elasticOperator::applyJacobian(const scalar* dx, scalar* dr) const
 {
     std::fill_n(dr, size(), scalar(0));
     gather(dx, dValues_);
@@ -410,7 +411,7 @@ void Foam::fsbi::elasticOperator::tangent(const scalar* dx, scalar* dr) const
     {
         const tensor& dH = dGradient_[v];
         dStress_[v] = meshTangent(v, dH, mixed_ ? dPressure_[v] : 0);
-        dStiffening_[v] = stiffeningTangent(v, dH & prior_[v]);
+        dStiffening_[v] = stiffeningTangent(v, dH & referenceF_[v]);
         if (mixed_)
         {
             volume[v] = volumeTangent(v, dH);
@@ -490,10 +491,10 @@ Foam::fsbi::elasticOperator::vertexIncrement() const
 
 void Foam::fsbi::elasticOperator::endStep()
 {
-    before_ = F_;
+    oldF_ = F_;
     if (formulation_ != formulation::totalLagrangian)
     {
-        prior_ = F_;
-        carried_ = unexplained_;
+        referenceF_ = F_;
+        jumpHistory_ = unexplained_;
     }
 }

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "elasticOperator.H"
+#include "asVectors.H"
 
 namespace Foam
 {
@@ -88,7 +89,7 @@ void Foam::fsbi::elasticOperator::addBoundary
     scalar* r
 ) const
 {
-    vector* row = reinterpret_cast<vector*>(r);
+    vector* row = asVectors(r);
     vector* ghostRow = row + mesh_.nCells();
     forAll(force, g)
     {
@@ -207,7 +208,7 @@ void Foam::fsbi::elasticOperator::addLoad
     const vectorField& force, scalar* r
 ) const
 {
-    vector* row = reinterpret_cast<vector*>(r);
+    vector* row = asVectors(r);
     for (label g = 0; g < nGhosts(); ++g)
     {
         const label b = stencil_.ghostFaces()[g];

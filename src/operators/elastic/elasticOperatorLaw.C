@@ -15,7 +15,7 @@ Foam::tensor Foam::fsbi::elasticOperator::lawStress(const strained& s) const
     );
     if (material_.viscosity() > 0)
     {
-        P += material_.viscousStress(s.F, rate(s.F - s.before));
+        P += material_.viscousStress(s.F, rate(s.F - s.oldF));
     }
     return P;
 }
@@ -38,7 +38,7 @@ Foam::tensor Foam::fsbi::elasticOperator::lawTangent
     {
         dP += material_.viscousTangent
         (
-            s.F, rate(s.F - s.before), dF, rate(dF)
+            s.F, rate(s.F - s.oldF), dF, rate(dF)
         );
     }
     return dP;
@@ -50,7 +50,7 @@ Foam::fsbi::elasticOperator::strained Foam::fsbi::elasticOperator::total
     const label v
 ) const
 {
-    return {F_[v], before_[v], mixed_ ? pressure_[v] : 0};
+    return {F_[v], oldF_[v], mixed_ ? pressure_[v] : 0};
 }
 
 
@@ -64,7 +64,7 @@ Foam::fsbi::elasticOperator::strained Foam::fsbi::elasticOperator::step
     {
         tensor::I + gradient_[v], tensor::I,
         mixed_
-      ? pressure_[v] + material_.lambda()*material_.theta(prior_[v])
+      ? pressure_[v] + material_.lambda()*material_.theta(referenceF_[v])
       : 0
     };
 }
@@ -77,18 +77,18 @@ Foam::tensor Foam::fsbi::elasticOperator::linearStress(const label v) const
     const tensor P(lawTangent(s, gradient_[v], s.p));
     return
         material_.viscosity() > 0
-      ? P - material_.viscousStress(s.F, rate(s.before - tensor::I))
+      ? P - material_.viscousStress(s.F, rate(s.oldF - tensor::I))
       : P;
 }
 
 
-Foam::tensor Foam::fsbi::elasticOperator::priorStress(const label v) const
+Foam::tensor Foam::fsbi::elasticOperator::referenceStress(const label v) const
 {
-    return inv(prior_[v]) & material_.stress(prior_[v]);
+    return inv(referenceF_[v]) & material_.stress(referenceF_[v]);
 }
 
 
-Foam::tensor Foam::fsbi::elasticOperator::pushed
+Foam::tensor Foam::fsbi::elasticOperator::pushForward
 (
     const label v, const tensor& P
 ) const
@@ -98,7 +98,7 @@ Foam::tensor Foam::fsbi::elasticOperator::pushed
         case formulation::totalLagrangian:
             return P;
         case formulation::updatedLagrangian:
-            return (P & prior_[v].T())/det(prior_[v]);
+            return (P & referenceF_[v].T())/det(referenceF_[v]);
         default:
             return (tensor::I + gradient_[v]) & inv(F_[v]) & P;
     }
@@ -110,9 +110,9 @@ Foam::tensor Foam::fsbi::elasticOperator::meshStress(const label v) const
     if (formulation_ == formulation::slowProcess)
     {
         const strained s(step(v));
-        return (s.F & priorStress(v)) + lawStress(s);
+        return (s.F & referenceStress(v)) + lawStress(s);
     }
-    return pushed(v, material_.linear() ? linearStress(v) : lawStress(total(v)));
+    return pushForward(v, material_.linear() ? linearStress(v) : lawStress(total(v)));
 }
 
 
@@ -123,14 +123,14 @@ Foam::tensor Foam::fsbi::elasticOperator::meshTangent
 {
     if (formulation_ == formulation::slowProcess)
     {
-        return (dH & priorStress(v)) + lawTangent(step(v), dH, dp);
+        return (dH & referenceStress(v)) + lawTangent(step(v), dH, dp);
     }
     const strained s(total(v));
-    const tensor dF(dH & prior_[v]);
+    const tensor dF(dH & referenceF_[v]);
     const tensor dP(lawTangent(s, dF, dp));
     if (formulation_ != formulation::slowProcessTotalStrain)
     {
-        return pushed(v, dP);
+        return pushForward(v, dP);
     }
     // of F'' S, S = F^-1 P
     const tensor inverse(inv(s.F));
@@ -148,7 +148,7 @@ Foam::tensor Foam::fsbi::elasticOperator::stressOfPressure
     return
         formulation_ == formulation::slowProcess
       ? material_.thetaGradient(tensor::I + gradient_[v])
-      : pushed(v, material_.thetaGradient(F_[v]));
+      : pushForward(v, material_.thetaGradient(F_[v]));
 }
 
 
@@ -156,7 +156,7 @@ Foam::scalar Foam::fsbi::elasticOperator::volumeChange(const label v) const
 {
     if (formulation_ == formulation::slowProcess)
     {
-        return material_.theta(prior_[v]) + material_.theta(step(v).F);
+        return material_.theta(referenceF_[v]) + material_.theta(step(v).F);
     }
     return
         material_.linear()
@@ -173,7 +173,7 @@ Foam::scalar Foam::fsbi::elasticOperator::volumeTangent
     return
         formulation_ == formulation::slowProcess
       ? material_.thetaGradient(step(v).F) && dH
-      : material_.thetaGradient(F_[v]) && (dH & prior_[v]);
+      : material_.thetaGradient(F_[v]) && (dH & referenceF_[v]);
 }
 
 
@@ -182,13 +182,13 @@ void Foam::fsbi::elasticOperator::setStress()
     valid_ = true;
     forAll(F_, v)
     {
-        F_[v] = (tensor::I + gradient_[v]) & prior_[v];
+        F_[v] = (tensor::I + gradient_[v]) & referenceF_[v];
         if (!material_.defined(F_[v]))
         {
             // so that the law can be asked; nobody uses the answer
             valid_ = false;
             gradient_[v] = Zero;
-            F_[v] = prior_[v];
+            F_[v] = referenceF_[v];
         }
         stress_[v] = meshStress(v);
     }

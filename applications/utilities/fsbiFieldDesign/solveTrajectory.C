@@ -3,14 +3,14 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "solveCourse.H"
+#include "solveTrajectory.H"
 
 namespace Foam
 {
 namespace fsbi
 {
 
-//- Halvings of the time between two of the course's
+//- Halvings of the time between two of the trajectory's
 static const label maxHalvings = 12;
 
 static fieldDesign::task taskOf
@@ -74,7 +74,7 @@ static void goOn
 (
     const designEntries& entries, const fieldDesign& design,
     const wantedLoad& next, const fieldDesign::solution& there,
-    const label halvings, solvedCourse& solved
+    const label halvings, solvedTrajectory& solved
 )
 {
     const wantedLoad middle(halfway(solved.wanted.last(), next));
@@ -104,13 +104,13 @@ static void goOn
 } // End namespace Foam
 
 
-Foam::fsbi::solvedCourse Foam::fsbi::solveCourse
+Foam::fsbi::solvedTrajectory Foam::fsbi::solveTrajectory
 (
     const designEntries& entries, const fieldDesign& design,
-    const course& wanted
+    const trajectory& wanted
 )
 {
-    solvedCourse solved;
+    solvedTrajectory solved;
     for (const wantedLoad& w : wanted)
     {
         const bool first = solved.wanted.empty();

@@ -3,7 +3,7 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "course.H"
+#include "trajectory.H"
 #include "hdfHandle.H"
 #include "OSspecific.H"
 
@@ -90,7 +90,7 @@ static vector vectorOf(const List<scalarField>& table, const label row)
 }
 
 
-static void addElastic(const pastRun& run, const word& body, course& c)
+static void addElastic(const pastRun& run, const word& body, trajectory& c)
 {
     const fileName path("elasticBodies"/body);
     const auto force(run.table(path/"tether"));
@@ -108,7 +108,7 @@ static void addElastic(const pastRun& run, const word& body, course& c)
 }
 
 
-static void addRigid(const pastRun& run, const word& body, course& c)
+static void addRigid(const pastRun& run, const word& body, trajectory& c)
 {
     const fileName path("bodies"/body);
     const auto x(run.table(path/"position"));
@@ -138,7 +138,7 @@ static void addRigid(const pastRun& run, const word& body, course& c)
 } // End namespace Foam
 
 
-Foam::fsbi::course Foam::fsbi::tetherCourse
+Foam::fsbi::trajectory Foam::fsbi::tetherTrajectory
 (
     const dictionary& tether, const word& body, const fileName& thisCase,
     const bool elastic
@@ -153,7 +153,7 @@ Foam::fsbi::course Foam::fsbi::tetherCourse
         folder = thisCase/folder;
     }
     const pastRun run(tether, folder);
-    course c;
+    trajectory c;
     elastic ? addElastic(run, body, c) : addRigid(run, body, c);
     scalar largest = 0;
     for (const wantedLoad& l : c)

@@ -3,7 +3,7 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "course.H"
+#include "trajectory.H"
 #include "fluidRegion.H"
 #include "resistance.H"
 #include "timeFunction.H"
@@ -249,7 +249,7 @@ static List<resistance> resistancesAlong
 } // End namespace Foam
 
 
-Foam::fsbi::course Foam::fsbi::pathCourse
+Foam::fsbi::trajectory Foam::fsbi::pathTrajectory
 (
     const dictionary& trajectory, const word& name, const dictionary& bodyDict,
     const Time& time
@@ -261,7 +261,7 @@ Foam::fsbi::course Foam::fsbi::pathCourse
     const label last = known.size() - 1;
     const scalar dt = (p.end - p.start)/(p.samples - 1);
     quaternion q(body.now().orientation);
-    course c;
+    trajectory c;
     for (label n = 0; n < p.samples; ++n)
     {
         const scalar t = p.start + n*dt;
