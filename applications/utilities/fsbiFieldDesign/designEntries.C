@@ -163,7 +163,7 @@ Foam::scalar Foam::fsbi::designEntries::volume() const
 }
 
 
-Foam::fsbi::trajectory Foam::fsbi::designEntries::wanted() const
+Foam::fsbi::loadTrajectory Foam::fsbi::designEntries::wanted() const
 {
     if (dict_.found("tether"))
     {

@@ -49,7 +49,7 @@ Limitations
 
 using namespace Foam;
 
-static scalar largestLoad(const fsbi::trajectory& wanted, const scalar radius)
+static scalar largestLoad(const fsbi::loadTrajectory& wanted, const scalar radius)
 {
     scalar largest = 0;
     for (const fsbi::wantedLoad& w : wanted)
@@ -90,7 +90,7 @@ int main(int argc, char *argv[])
     const fsbi::designEntries entries(runTime);
     const scalar volume = entries.volume();
     const scalar radius = fsbi::fieldDesign::radius(volume, entries.inUnits());
-    const fsbi::trajectory wanted(entries.wanted());
+    const fsbi::loadTrajectory wanted(entries.wanted());
     const scalar largest = largestLoad(wanted, radius);
     if (largest == 0)
     {

@@ -249,7 +249,7 @@ static List<resistance> resistancesAlong
 } // End namespace Foam
 
 
-Foam::fsbi::trajectory Foam::fsbi::pathTrajectory
+Foam::fsbi::loadTrajectory Foam::fsbi::pathTrajectory
 (
     const dictionary& trajectory, const word& name, const dictionary& bodyDict,
     const Time& time
@@ -261,7 +261,7 @@ Foam::fsbi::trajectory Foam::fsbi::pathTrajectory
     const label last = known.size() - 1;
     const scalar dt = (p.end - p.start)/(p.samples - 1);
     quaternion q(body.now().orientation);
-    trajectory c;
+    loadTrajectory c;
     for (label n = 0; n < p.samples; ++n)
     {
         const scalar t = p.start + n*dt;

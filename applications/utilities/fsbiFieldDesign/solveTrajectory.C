@@ -107,7 +107,7 @@ static void goOn
 Foam::fsbi::solvedTrajectory Foam::fsbi::solveTrajectory
 (
     const designEntries& entries, const fieldDesign& design,
-    const trajectory& wanted
+    const loadTrajectory& wanted
 )
 {
     solvedTrajectory solved;

@@ -90,7 +90,7 @@ static vector vectorOf(const List<scalarField>& table, const label row)
 }
 
 
-static void addElastic(const pastRun& run, const word& body, trajectory& c)
+static void addElastic(const pastRun& run, const word& body, loadTrajectory& c)
 {
     const fileName path("elasticBodies"/body);
     const auto force(run.table(path/"tether"));
@@ -108,7 +108,7 @@ static void addElastic(const pastRun& run, const word& body, trajectory& c)
 }
 
 
-static void addRigid(const pastRun& run, const word& body, trajectory& c)
+static void addRigid(const pastRun& run, const word& body, loadTrajectory& c)
 {
     const fileName path("bodies"/body);
     const auto x(run.table(path/"position"));
@@ -138,7 +138,7 @@ static void addRigid(const pastRun& run, const word& body, trajectory& c)
 } // End namespace Foam
 
 
-Foam::fsbi::trajectory Foam::fsbi::tetherTrajectory
+Foam::fsbi::loadTrajectory Foam::fsbi::tetherTrajectory
 (
     const dictionary& tether, const word& body, const fileName& thisCase,
     const bool elastic
@@ -153,7 +153,7 @@ Foam::fsbi::trajectory Foam::fsbi::tetherTrajectory
         folder = thisCase/folder;
     }
     const pastRun run(tether, folder);
-    trajectory c;
+    loadTrajectory c;
     elastic ? addElastic(run, body, c) : addRigid(run, body, c);
     scalar largest = 0;
     for (const wantedLoad& l : c)
