@@ -19,20 +19,23 @@ Foam::fsbi::couplingLoop::couplingLoop(const checkedDictionary& entries)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::string Foam::fsbi::couplingLoop::hopeless
+Foam::fsbi::outcome Foam::fsbi::couplingLoop::hopeful
 (
     const scalar residual, const scalar first
 ) const
 {
     if (!std::isfinite(residual))
     {
-        return "the coupling's residual is not a number";
+        return outcome::failed("the coupling's residual is not a number");
     }
     if (residual > 1e12*max(first, tolerance_))
     {
-        return "coupling by " + accelerator_->type() + " diverges";
+        return outcome::failed
+        (
+            "coupling by " + accelerator_->type() + " diverges"
+        );
     }
-    return string();
+    return outcome();
 }
 
 
@@ -52,23 +55,21 @@ Foam::fsbi::solverReport Foam::fsbi::couplingLoop::solve
     solverReport report;
     scalarField Hx(x.size());
     scalar first = 0;
-    while
-    (
-        !report.converged && report.failure.empty()
-     && report.iterations < maxIterations_
-    )
+    outcome passed;
+    while (passed && !report.converged && report.iterations < maxIterations_)
     {
         ++report.iterations;
-        report.failure = H(x, Hx);
-        if (report.failure.empty())
+        passed = H(x, Hx);
+        if (passed)
         {
             report.residual = accelerator_->next(x, Hx)/scale;
             first = report.iterations == 1 ? report.residual : first;
-            report.failure = hopeless(report.residual, first);
-            report.converged = report.failure.empty()
+            passed = hopeful(report.residual, first);
+            report.converged = passed
              && (report.residual <= tolerance_ || !accelerator_->iterates());
         }
     }
+    report.failure = passed.reason;
     if (report.converged)
     {
         x = Hx;

@@ -186,7 +186,7 @@ Foam::vectorField Foam::fsbi::partitioned::force(const label solidi) const
 }
 
 
-Foam::string Foam::fsbi::partitioned::solveFluid
+Foam::fsbi::outcome Foam::fsbi::partitioned::solveFluid
 (
     const List<vectorField>& given, List<bodyRows>& rows
 )
@@ -195,13 +195,16 @@ Foam::string Foam::fsbi::partitioned::solveFluid
     report_.iterations += report.iterations;
     return
         report.converged
-      ? string()
-      : "the flow's solver reached a residual of " + name(report.residual)
-      + " only, in " + name(report.iterations) + " iterations";
+      ? outcome()
+      : outcome::failed
+        (
+            "the flow's solver reached a residual of " + name(report.residual)
+          + " only, in " + name(report.iterations) + " iterations"
+        );
 }
 
 
-Foam::string Foam::fsbi::partitioned::solveSolids
+Foam::fsbi::outcome Foam::fsbi::partitioned::solveSolids
 (
     const List<vectorField>& given
 )
@@ -210,22 +213,25 @@ Foam::string Foam::fsbi::partitioned::solveSolids
     {
         springs_[e] = spring(e, given[e]);
         solverReport report;
-        string reason;
-        if (!solids_[e].solve(springs_[e], report, reason))
+        const outcome solved(solids_[e].solve(springs_[e], report));
+        if (!solved)
         {
-            return reason;
+            return solved;
         }
         report_.iterations += report.iterations;
         if (!solids_[e].follow())
         {
-            return "body '" + solids_[e].name() + "' is turned inside out";
+            return outcome::failed
+            (
+                "body '" + solids_[e].name() + "' is turned inside out"
+            );
         }
     }
-    return string();
+    return outcome();
 }
 
 
-Foam::string Foam::fsbi::partitioned::pass
+Foam::fsbi::outcome Foam::fsbi::partitioned::pass
 (
     const scalarField& x, scalarField& Hx, List<bodyRows>& rows
 )
@@ -235,24 +241,24 @@ Foam::string Foam::fsbi::partitioned::pass
     {
         solids_[e].surface().place(given[e]);
     }
-    failure_.clear();
-    if (!moveMesh())
+    const outcome moved(moveMesh());
+    if (!moved)
     {
-        return failure_;
+        return moved;
     }
-    string reason(solveFluid(given, rows));
-    if (reason.empty())
+    outcome solved(solveFluid(given, rows));
+    if (solved)
     {
-        reason = solveSolids(given);
+        solved = solveSolids(given);
     }
     Hx = surfaces();
-    return reason;
+    return solved;
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::fsbi::partitioned::solve(List<bodyRows>& rows)
+Foam::fsbi::outcome Foam::fsbi::partitioned::solve(List<bodyRows>& rows)
 {
     scalarField x(surfaces());
     const solverReport report
@@ -269,14 +275,20 @@ bool Foam::fsbi::partitioned::solve(List<bodyRows>& rows)
     report_.corrections = report.iterations;
     report_.residual = report.residual;
     report_.converged = report.converged;
-    failure_ = report.failure;
-    if (!report.converged && failure_.empty())
+    if (report.converged)
     {
-        failure_ =
-            "fluid and bodies do not agree after " + name(report.iterations)
-          + " passes: the residual is " + name(report.residual);
+        return outcome();
     }
-    return report.converged;
+    return outcome::failed
+    (
+        report.failure.size()
+      ? report.failure
+      : string
+        (
+            "fluid and bodies do not agree after " + name(report.iterations)
+          + " passes: the residual is " + name(report.residual)
+        )
+    );
 }
 
 

@@ -172,17 +172,18 @@ Foam::scalar Foam::fsbi::effectList::nextInstant() const
 }
 
 
-bool Foam::fsbi::effectList::acceptable(string& reason) const
+Foam::fsbi::outcome Foam::fsbi::effectList::acceptable() const
 {
     for (const effect& e : effects_)
     {
         auto timer = timings_.profileMemory(e.type());
-        if (!e.acceptable(reason))
+        const outcome accepted(e.acceptable());
+        if (!accepted)
         {
-            return false;
+            return accepted;
         }
     }
-    return true;
+    return outcome();
 }
 
 

@@ -444,7 +444,7 @@ void Foam::fsbi::recorder::append
 }
 
 
-void Foam::fsbi::recorder::reject()
+void Foam::fsbi::recorder::reject(const outcome& step)
 {
-    steps_.reject(scene_.failure());
+    steps_.reject(step.reason);
 }

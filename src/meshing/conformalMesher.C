@@ -11,6 +11,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "serialScope.H"
 #include "sizeField.H"
 #include "triangleCrossings.H"
+#include "OStringStream.H"
 
 #include <cmath>
 
@@ -64,7 +65,7 @@ static List<bodySurface> rounded
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsbi::conformalMesher::checkPlaces
+Foam::fsbi::outcome Foam::fsbi::conformalMesher::placed
 (
     const wordList& names,
     const UList<bodySurface>& bodies,
@@ -72,41 +73,47 @@ void Foam::fsbi::conformalMesher::checkPlaces
     const scalar unit
 )
 {
+    OStringStream reason;
     forAll(bodies, b)
     {
         const boundBox box(bodies[b].bounds());
         if (!domain.overlaps(box))
         {
-            FatalErrorInFunction
+            reason
                 << "Body '" << names[b] << "' lies outside the domain, near "
-                << box.centre() << places << exit(FatalError);
+                << box.centre() << places;
+            return outcome::failed(reason.str());
         }
         if (!domain.contains(box))
         {
-            FatalErrorInFunction
+            reason
                 << "Body '" << names[b] << "' crosses the boundary of the"
                 << " domain: it reaches from " << box.min() << " to "
                 << box.max() << ", the domain from " << domain.min() << " to "
-                << domain.max() << places << exit(FatalError);
+                << domain.max() << places;
+            return outcome::failed(reason.str());
         }
         if (bodies[b].meanEdge() < finestEdge*unit)
         {
-            FatalErrorInFunction
+            reason
                 << "Body '" << names[b] << "' is " << cmptMax(box.span())
                 << " large in a domain of " << cmptMax(domain.span())
-                << ": is it in another unit (scale)?" << exit(FatalError);
+                << ": is it in another unit (scale)?";
+            return outcome::failed(reason.str());
         }
     }
+    return outcome();
 }
 
 
-void Foam::fsbi::conformalMesher::checkInput
+Foam::fsbi::outcome Foam::fsbi::conformalMesher::apart
 (
     const wordList& names,
     const UList<bodySurface>& bodies,
     const bodySurface& walls
 ) const
 {
+    OStringStream reason;
     DynamicList<point> points;
     DynamicList<triFace> triangles;
     DynamicList<label> group;
@@ -123,7 +130,11 @@ void Foam::fsbi::conformalMesher::checkInput
 
     forAll(bodies, b)
     {
-        bodies[b].check(names[b]);
+        const outcome solid(bodies[b].solid(names[b]));
+        if (!solid)
+        {
+            return solid;
+        }
         append(bodies[b], b);
     }
     append(walls, bodies.size());
@@ -136,12 +147,13 @@ void Foam::fsbi::conformalMesher::checkInput
     {
         const label a = min(group[crossing.first()], group[crossing.second()]);
         const label b = max(group[crossing.first()], group[crossing.second()]);
-        FatalErrorInFunction
+        reason
             << "Body '" << names[a] << "' "
             << (b < names.size() ? "overlaps body '" + names[b] + "'"
               : string("crosses the boundary of the domain"))
             << " near " << triangles[crossing.first()].centre(points)
-            << places << exit(FatalError);
+            << places;
+        return outcome::failed(reason.str());
     }
 
     // nothing crosses: one point decides for the whole body
@@ -150,9 +162,10 @@ void Foam::fsbi::conformalMesher::checkInput
         const point& p = bodies[b].points()[0];
         if (walls.winding(p) < 0.5)
         {
-            FatalErrorInFunction
+            reason
                 << "Body '" << names[b] << "' lies outside the domain, near "
-                << p << places << exit(FatalError);
+                << p << places;
+            return outcome::failed(reason.str());
         }
         forAll(bodies, other)
         {
@@ -163,12 +176,14 @@ void Foam::fsbi::conformalMesher::checkInput
              && bodies[other].winding(p) > 0.5
             )
             {
-                FatalErrorInFunction
+                reason
                     << "Body '" << names[b] << "' lies inside body '"
-                    << names[other] << "'" << places << exit(FatalError);
+                    << names[other] << "'" << places;
+                return outcome::failed(reason.str());
             }
         }
     }
+    return outcome();
 }
 
 
@@ -346,15 +361,22 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
     const List<bodySurface> bodies(rounded(exact, unit));
     const vector shift(rounded(exactShift, unit));
     const bodySurface walls(walls_.transformed(tensor::I, shift));
-    checkPlaces(bodyNames, exact, walls.bounds(), unit);
-    checkInput(bodyNames, bodies, walls);
+    outcome possible(placed(bodyNames, exact, walls.bounds(), unit));
+    if (possible)
+    {
+        possible = apart(bodyNames, bodies, walls);
+    }
+    meshLists mesh;
+    mesh.failure = possible.reason;
+    if (!possible)
+    {
+        return mesh;
+    }
     const serialScope serial;
     sizeField size
     (
         domain_, shift, walls, bodies, cyclics_.translations(), controls_
     );
-
-    meshLists mesh;
     mesh.failure = tooManyCells(tellCells(bodies, walls, size), controls_);
     if (mesh.valid())
     {

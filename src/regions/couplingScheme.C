@@ -78,9 +78,9 @@ Foam::autoPtr<Foam::fsbi::couplingScheme> Foam::fsbi::couplingScheme::New
 }
 
 
-bool Foam::fsbi::couplingScheme::moveMesh()
+Foam::fsbi::outcome Foam::fsbi::couplingScheme::moveMesh()
 {
-    return lagged_ || fluid_.move(failure_);
+    return lagged_ ? outcome() : fluid_.move();
 }
 
 
@@ -157,12 +157,11 @@ Foam::vectorField Foam::fsbi::couplingScheme::force(const label solidi) const
 }
 
 
-bool Foam::fsbi::couplingScheme::advance
+Foam::fsbi::outcome Foam::fsbi::couplingScheme::advance
 (
     List<bodyRows>& rows, List<sixVector>& loads
 )
 {
-    failure_.clear();
     report_ = solverReport();
     for (solidRegion& solid : solids_)
     {
@@ -173,33 +172,35 @@ bool Foam::fsbi::couplingScheme::advance
             solid.follow();
         }
     }
-    if (!fluid_.follow(failure_))
+    const outcome followed(fluid_.follow());
+    if (!followed)
     {
-        return false;
+        return followed;
     }
-    if (!solve(rows))
+    outcome solved(solve(rows));
+    if (!solved)
     {
         for (solidRegion& solid : solids_)
         {
-            failure_ += solid.failureWarning();
+            solved.reason += solid.failureWarning();
         }
-        return false;
+        return solved;
     }
     return finish(rows, loads);
 }
 
 
-bool Foam::fsbi::couplingScheme::finish
+Foam::fsbi::outcome Foam::fsbi::couplingScheme::finish
 (
     List<bodyRows>& rows, List<sixVector>& loads
 )
 {
     fluid_.finish(rows, elastic_, loads);
     const List<vectorField> others(effectForces(rows));
-    bool good = true;
-    forAll(solids_, e)
+    outcome taken;
+    for (label e = 0; taken && e < solids_.size(); ++e)
     {
-        good = good && solids_[e].finish(force(e), others[e], failure_);
+        taken = solids_[e].finish(force(e), others[e]);
     }
-    return good;
+    return taken;
 }

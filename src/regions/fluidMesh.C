@@ -75,12 +75,12 @@ Foam::fsbi::fluidMesh::fluidMesh
     else
     {
         auto timer = timings_.measure("meshing");
-        string reason;
-        if (!generate(reason, [](){}))
+        const outcome made(generate([](){}));
+        if (!made)
         {
             FatalErrorInFunction
                 << "No acceptable mesh around the bodies could be made: "
-                << reason.c_str() << exit(FatalError);
+                << made.reason.c_str() << exit(FatalError);
         }
     }
     setReference();
@@ -165,9 +165,8 @@ void Foam::fsbi::fluidMesh::checkPatchNames() const
 }
 
 
-bool Foam::fsbi::fluidMesh::generate
+Foam::fsbi::outcome Foam::fsbi::fluidMesh::generate
 (
-    string& reason,
     const std::function<void()>& release
 )
 {
@@ -180,25 +179,13 @@ bool Foam::fsbi::fluidMesh::generate
         {
             surfaces[b] = bodies_[b].meshedSurface();
         }
-        // once there is a mesh, bodies that overlap are no wrong input: the
-        // step was too long
-        const bool thrown = FatalError.throwExceptions(mesh_.valid());
-        try
-        {
-            whole = mesher_->generate(namesOf(bodies_), surfaces, shift());
-        }
-        catch (const error& overlap)
-        {
-            whole.failure = overlap.message();
-        }
-        FatalError.throwExceptions(thrown);
-        reason = whole.failure;
+        whole = mesher_->generate(namesOf(bodies_), surfaces, shift());
     }
+    string reason(whole.failure);
     Pstream::scatter(reason);
     if (!reason.empty())
     {
-        reason += narrowGap();
-        return false;
+        return outcome::failed(reason + narrowGap());
     }
     release();
     if (mesh_)
@@ -210,7 +197,7 @@ bool Foam::fsbi::fluidMesh::generate
         mesh_ = makeRegionMesh(time_, "fluid", whole);
     }
     ++generation_;
-    return true;
+    return outcome();
 }
 
 
@@ -265,22 +252,22 @@ void Foam::fsbi::fluidMesh::move()
 }
 
 
-bool Foam::fsbi::fluidMesh::usable(string& reason) const
+Foam::fsbi::outcome Foam::fsbi::fluidMesh::usable() const
 {
     const scalar smallest = gMin(mesh().cellVolumes());
-    if (smallest > 0)
-    {
-        return true;
-    }
-    reason =
-        "a cell of the fluid has the volume " + name(smallest) + narrowGap();
-    return false;
+    return
+        smallest > 0
+      ? outcome()
+      : outcome::failed
+        (
+            "a cell of the fluid has the volume " + name(smallest)
+          + narrowGap()
+        );
 }
 
 
-Foam::fsbi::fluidMesh::outcome Foam::fsbi::fluidMesh::follow
+Foam::fsbi::outcome Foam::fsbi::fluidMesh::follow
 (
-    string& reason,
     const std::function<void()>& release
 )
 {
@@ -305,12 +292,13 @@ Foam::fsbi::fluidMesh::outcome Foam::fsbi::fluidMesh::follow
     );
     if (worn.empty())
     {
-        return outcome::moved;
+        return outcome();
     }
     Info<< "Remeshing: " << worn.c_str() << endl;
-    if (!generate(reason, release))
+    const outcome made(generate(release));
+    if (!made)
     {
-        return outcome::failed;
+        return made;
     }
     setReference();
     if
@@ -323,7 +311,7 @@ Foam::fsbi::fluidMesh::outcome Foam::fsbi::fluidMesh::follow
             << referenceNonOrthogonality_ << " degrees, the best of three"
             << endl;
     }
-    return outcome::remeshed;
+    return outcome();
 }
 
 

@@ -244,11 +244,11 @@ void Foam::fsbi::fluidRegion::rewind()
 }
 
 
-bool Foam::fsbi::fluidRegion::follow(string& reason)
+Foam::fsbi::outcome Foam::fsbi::fluidRegion::follow()
 {
-    const auto outcome = mesh_.follow
+    const label generation = mesh_.generation();
+    const outcome followed = mesh_.follow
     (
-        reason,
         [this]()
         {
             // what stands on the mesh that is about to go
@@ -259,33 +259,34 @@ bool Foam::fsbi::fluidRegion::follow(string& reason)
         }
     );
     auto timer = timings_.measure("assembly");
-    if (outcome == fluidMesh::outcome::moved)
+    if (followed && mesh_.generation() == generation)
     {
         momentum_->update();
     }
-    else if (outcome == fluidMesh::outcome::remeshed)
+    else if (followed)
     {
         createFields();
         setState();
         createOperators();
     }
-    return outcome != fluidMesh::outcome::failed;
+    return followed;
 }
 
 
-bool Foam::fsbi::fluidRegion::move(string& reason)
+Foam::fsbi::outcome Foam::fsbi::fluidRegion::move()
 {
     {
         auto timer = timings_.measure("meshing");
         mesh_.move();
-        if (!mesh_.usable(reason))
+        const outcome usable(mesh_.usable());
+        if (!usable)
         {
-            return false;
+            return usable;
         }
     }
     auto timer = timings_.measure("assembly");
     momentum_->update();
-    return true;
+    return outcome();
 }
 
 

@@ -44,22 +44,22 @@ Foam::fsbi::monolithic::monolithic
 }
 
 
-bool Foam::fsbi::monolithic::failed()
+Foam::fsbi::outcome Foam::fsbi::monolithic::corrected() const
 {
     if (!std::isfinite(report_.residual))
     {
-        failure_ = "the solution is not finite: the scene has numbers that are"
-            " too large, or cells that are too thin";
+        return outcome::failed
+        (
+            "the solution is not finite: the scene has numbers that are"
+            " too large, or cells that are too thin"
+        );
     }
-    else if (report_.failure.size())
-    {
-        failure_ = report_.failure;
-    }
-    return failure_.size();
+    return
+        report_.failure.empty() ? outcome() : outcome::failed(report_.failure);
 }
 
 
-bool Foam::fsbi::monolithic::solve(List<bodyRows>& rows)
+Foam::fsbi::outcome Foam::fsbi::monolithic::solve(List<bodyRows>& rows)
 {
     label iterations = 0;
     for (label i = 0; i <= maxCorrections; ++i)
@@ -69,25 +69,28 @@ bool Foam::fsbi::monolithic::solve(List<bodyRows>& rows)
         iterations += report_.iterations;
         report_.iterations = iterations;
         report_.corrections = i;
-        if (report_.converged || failed())
+        if (report_.converged)
         {
-            break;
+            return outcome();
+        }
+        const outcome good(corrected());
+        if (!good)
+        {
+            return good;
         }
         for (solidRegion& solid : solids_)
         {
             solid.follow();
         }
-        if (!moveMesh())
+        const outcome moved(moveMesh());
+        if (!moved)
         {
-            return false;
+            return moved;
         }
     }
-    if (!report_.converged && failure_.empty())
-    {
-        failure_ =
-            "fluid and bodies do not agree after "
-          + name(maxCorrections) + " corrections: the residual is "
-          + name(report_.residual);
-    }
-    return report_.converged;
+    return outcome::failed
+    (
+        "fluid and bodies do not agree after " + name(maxCorrections)
+      + " corrections: the residual is " + name(report_.residual)
+    );
 }

@@ -49,7 +49,7 @@ Foam::List<Foam::fsbi::bodyRows> Foam::fsbi::scene::bodyRowsNow() const
 }
 
 
-bool Foam::fsbi::scene::solveFluid()
+Foam::fsbi::outcome Foam::fsbi::scene::solveFluid()
 {
     const untrapped scope;
     List<bodyRows> rows(bodyRowsNow());
@@ -72,17 +72,21 @@ bool Foam::fsbi::scene::solveFluid()
     }
     if (!finite)
     {
-        failure_ = "the solution is not finite: the scene has numbers that are"
-            " too large, or cells that are too thin";
+        return outcome::failed
+        (
+            "the solution is not finite: the scene has numbers that are"
+            " too large, or cells that are too thin"
+        );
     }
-    else if (!report_.converged)
-    {
-        failure_ =
+    return
+        report_.converged
+      ? outcome()
+      : outcome::failed
+        (
             "the solver reached a residual of " + name(report_.residual)
           + " only, in " + name(report_.iterations - before)
-          + " iterations (maxIterations of system/fluid/fvSolution)";
-    }
-    return finite && report_.converged;
+          + " iterations (maxIterations of system/fluid/fvSolution)"
+        );
 }
 
 
@@ -127,21 +131,23 @@ void Foam::fsbi::scene::takeEffects(const UList<bodyRows>& rows)
 }
 
 
-bool Foam::fsbi::scene::advance()
+Foam::fsbi::outcome Foam::fsbi::scene::advance()
 {
-    failure_.clear();
     report_ = solverReport();
-    const bool good = fluid_ ? advanceFlow() : advanceSolids();
+    const outcome solved(fluid_ ? advanceFlow() : advanceSolids());
     if (effects_ && effects_->culprit().size())
     {
-        failure_ = "the load of effect '" + effects_->culprit()
-          + "' is infinite or no number";
+        return outcome::failed
+        (
+            "the load of effect '" + effects_->culprit()
+          + "' is infinite or no number"
+        );
     }
-    return good && (!effects_ || effects_->acceptable(failure_));
+    return solved && effects_ ? effects_->acceptable() : solved;
 }
 
 
-bool Foam::fsbi::scene::loadsAt
+Foam::fsbi::outcome Foam::fsbi::scene::loadsAt
 (
     const UList<sixVector>& velocities, List<sixVector>& loads
 )
@@ -154,27 +160,27 @@ bool Foam::fsbi::scene::loadsAt
         rows[b].velocity = velocities[b];
     }
     report_ = fluid_->solve(rows, loads);
-    failure_ = report_.converged ? "" : "the solver did not converge";
-    return report_.converged;
+    return
+        report_.converged
+      ? outcome() : outcome::failed("the solver did not converge");
 }
 
 
-bool Foam::fsbi::scene::solveCoupled()
+Foam::fsbi::outcome Foam::fsbi::scene::solveCoupled()
 {
     const untrapped scope;
     List<bodyRows> rows(bodyRowsNow());
     List<sixVector> loads(rows.size());
     const label before = report_.iterations;
-    const bool good = coupling_->advance(rows, loads);
+    const outcome agreed(coupling_->advance(rows, loads));
     report_ = coupling_->report();
     report_.iterations += before;
-    failure_ = coupling_->failure();
     take(rows, loads);
-    return good;
+    return agreed;
 }
 
 
-bool Foam::fsbi::scene::advanceFlow()
+Foam::fsbi::outcome Foam::fsbi::scene::advanceFlow()
 {
     bool extrapolated = true;
     for (const rigidBody& body : bodies_)
@@ -185,17 +191,18 @@ bool Foam::fsbi::scene::advanceFlow()
     for (label pass = extrapolated ? 1 : 0; pass < 2; ++pass)
     {
         placeBodies();
-        const bool good =
-            coupling_
-          ? solveCoupled()
-          : fluid_->follow(failure_) && solveFluid();
-        if (!good)
+        outcome solved(coupling_ ? solveCoupled() : fluid_->follow());
+        if (solved && !coupling_)
         {
-            return false;
+            solved = solveFluid();
+        }
+        if (!solved)
+        {
+            return solved;
         }
     }
     takePrescribedLoads();
-    return true;
+    return outcome();
 }
 
 
@@ -221,21 +228,21 @@ void Foam::fsbi::scene::takePrescribedLoads()
 }
 
 
-bool Foam::fsbi::scene::advanceSolids()
+Foam::fsbi::outcome Foam::fsbi::scene::advanceSolids()
 {
     for (solidRegion& solid : solids_)
     {
         solverReport report;
-        const bool solved = solid.solve(report, failure_);
+        const outcome solved(solid.solve(report));
         report_.iterations += report.iterations;
         report_.corrections = max(report_.corrections, report.corrections);
         report_.residual = max(report_.residual, report.residual);
         if (!solved)
         {
-            return false;
+            return solved;
         }
     }
-    return true;
+    return outcome();
 }
 
 

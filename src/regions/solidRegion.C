@@ -31,25 +31,32 @@ Foam::vectorField Foam::fsbi::solidRegion::cells() const
 }
 
 
-Foam::string Foam::fsbi::solidRegion::faultOf(const solverReport& report) const
+Foam::fsbi::outcome Foam::fsbi::solidRegion::judged
+(
+    const solverReport& report
+) const
 {
     const scalar sum = returnReduce(Foam::sum(mag(x_)), sumOp<scalar>());
     const string body("body '" + name() + "': ");
     if (!std::isfinite(report.residual) || !std::isfinite(sum))
     {
-        return
+        return outcome::failed
+        (
             body + "the solution is not finite: the loads are too large, or"
-            " cells too thin";
+            " cells too thin"
+        );
     }
     if (!report.converged)
     {
-        return
+        return outcome::failed
+        (
             body + "the solver reached a residual of "
           + Foam::name(report.residual) + " only, in "
           + Foam::name(report.corrections) + " corrections"
-          + (report.failure.empty() ? string() : ": " + report.failure);
+          + (report.failure.empty() ? string() : ": " + report.failure)
+        );
     }
-    return string();
+    return outcome();
 }
 
 
@@ -93,20 +100,20 @@ Foam::vectorField Foam::fsbi::solidRegion::loads() const
 }
 
 
-bool Foam::fsbi::solidRegion::solve(solverReport& report, string& failure)
+Foam::fsbi::outcome Foam::fsbi::solidRegion::solve(solverReport& report)
 {
     auto timer = timings_.measure("solve");
     const untrapped scope;
     conditions_->evaluate(movedFaces_);
     report = solver_->solve({conditions_->given(), loads(), inertia()}, x_);
-    failure = faultOf(report);
-    return failure.empty() && take(failure);
+    const outcome solved(judged(report));
+    return solved ? take() : solved;
 }
 
 
-bool Foam::fsbi::solidRegion::solve
+Foam::fsbi::outcome Foam::fsbi::solidRegion::solve
 (
-    const boundarySpring& spring, solverReport& report, string& failure
+    const boundarySpring& spring, solverReport& report
 )
 {
     auto timer = timings_.measure("solve");
@@ -119,23 +126,23 @@ bool Foam::fsbi::solidRegion::solve
     (
         {conditions_->given(), rows_.force, rows_.mass, &spring}, x_
     );
-    failure = faultOf(report);
-    return failure.empty();
+    return judged(report);
 }
 
 
-bool Foam::fsbi::solidRegion::take(string& failure)
+Foam::fsbi::outcome Foam::fsbi::solidRegion::take()
 {
     if (!evaluate())
     {
-        failure =
+        return outcome::failed
+        (
             "body '" + name() + "' is turned inside out: the load of the step"
-            " is too large";
-        return false;
+            " is too large"
+        );
     }
     setFields();
     setMeasures();
-    return true;
+    return outcome();
 }
 
 
@@ -160,14 +167,14 @@ bool Foam::fsbi::solidRegion::follow()
 }
 
 
-bool Foam::fsbi::solidRegion::finish
+Foam::fsbi::outcome Foam::fsbi::solidRegion::finish
 (
-    const vectorField& fluid, const vectorField& effects, string& failure
+    const vectorField& fluid, const vectorField& effects
 )
 {
     fluidForce_ = gSum(fluid);
     conditions_->addForce(fluid + effects);
-    return take(failure);
+    return take();
 }
 
 

@@ -326,7 +326,7 @@ Foam::vectorField Foam::fsbi::solidRegion::initialAcceleration()
     {
         FatalErrorInFunction
             << "No acceleration at the start of body '" << name()
-            << "' balances its loads: " << faultOf(report).c_str()
+            << "' balances its loads: " << judged(report).reason.c_str()
             << exit(FatalError);
     }
     std::copy(u.begin(), u.end(), reinterpret_cast<vector*>(x_.data()));

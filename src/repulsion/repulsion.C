@@ -55,11 +55,11 @@ Foam::fsbi::repulsion::repulsion
     entries.finish();
     tellUnseen("Nothing is repelled from", unrepelled());
 
-    string reason;
-    if (!acceptable(reason))
+    const outcome now(acceptable());
+    if (!now)
     {
         FatalIOErrorInFunction(dict)
-            << "At the start, " << reason.c_str() << exit(FatalIOError);
+            << "At the start, " << now.reason.c_str() << exit(FatalIOError);
     }
 }
 
@@ -231,18 +231,18 @@ Foam::scalar Foam::fsbi::repulsion::smallestGap(string& names) const
 }
 
 
-bool Foam::fsbi::repulsion::acceptable(string& reason) const
+Foam::fsbi::outcome Foam::fsbi::repulsion::acceptable() const
 {
     string names;
     const scalar gap = smallestGap(names);
-    if (gap > minimumGap_)
-    {
-        return true;
-    }
-    reason =
-        "the gap between " + names + " is " + name(gap)
-      + ", less than minimumGap " + name(minimumGap_) + " of repulsion";
-    return false;
+    return
+        gap > minimumGap_
+      ? outcome()
+      : outcome::failed
+        (
+            "the gap between " + names + " is " + name(gap)
+          + ", less than minimumGap " + name(minimumGap_) + " of repulsion"
+        );
 }
 
 

@@ -156,18 +156,21 @@ bool Foam::fsbi::stepControl::next(const scene& scene)
 }
 
 
-void Foam::fsbi::stepControl::reject(const scene& scene)
+void Foam::fsbi::stepControl::reject
+(
+    const scene& scene, const outcome& step
+)
 {
     const scalar dt = 0.5*time_.deltaTValue();
     const string why(hopeless(scene));
     Info<< "Step to " << time_.timeName() << " rejected: "
-        << scene.failure().c_str() << endl;
+        << step.reason.c_str() << endl;
     if (dt < shortest() || why.size())
     {
         FatalErrorInFunction
             << "Steps down to " << 2*dt << " fail, the last one because "
-            << scene.failure().c_str() << why.c_str() << ". Saved states are untouched;"
-            << " minDeltaT in " << time_.controlDict().name()
+            << step.reason.c_str() << why.c_str() << ". Saved states are"
+            << " untouched; minDeltaT in " << time_.controlDict().name()
             << " is " << shortest() << exit(FatalError);
     }
     // a shorter step may do to end with; if not, the mesh is that of a failed one
@@ -179,7 +182,7 @@ void Foam::fsbi::stepControl::reject(const scene& scene)
     {
         FatalErrorInFunction
             << "Interrupted while steps fail, the last one because "
-            << scene.failure().c_str() << ". 'startFrom latestTime' continues"
+            << step.reason.c_str() << ". 'startFrom latestTime' continues"
             << " from the last saved state" << exit(FatalError);
     }
     if (!adjustable() && gridTime_ < 0)

@@ -77,10 +77,11 @@ void Foam::fsbi::dryRun::tryStep(scene& scene)
     const clockTime clock;
     const scalar meshing = scene.clocks().seconds("meshing");
     scene.beginStep();
-    if (!scene.advance())
+    const outcome step(scene.advance());
+    if (!step)
     {
         scene.rewind();
-        control_.reject(scene);
+        control_.reject(scene, step);
         return;
     }
     scene.endStep();

@@ -99,11 +99,12 @@ int main(int argc, char *argv[])
     {
         scene.beginStep();
 
-        if (!scene.advance())
+        const fsbi::outcome step(scene.advance());
+        if (!step)
         {
             scene.rewind();
-            history.reject();
-            steps.reject(scene);
+            history.reject(step);
+            steps.reject(scene, step);
             continue;
         }
 

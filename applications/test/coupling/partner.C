@@ -190,7 +190,7 @@ Foam::fsbi::stepRun::stepRun
         {
             Hx = p.H(old);
             norms.append(product.norm(Hx - old)/scale);
-            return string();
+            return outcome();
         },
         scale, x
     );

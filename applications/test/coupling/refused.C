@@ -66,7 +66,7 @@ void Foam::fsbi::checkFailures(checks& c)
     const auto plain = [&](const scalarField& x, scalarField& Hx)
     {
         Hx = p.H(x);
-        return string();
+        return outcome();
     };
     const std::string fixed("method semiImplicit; omega 1; maxIterations ");
     c.check
@@ -84,7 +84,10 @@ void Foam::fsbi::checkFailures(checks& c)
         failure
         (
             "method IQNILS;",
-            [](const scalarField&, scalarField&){ return string("no mesh"); }
+            [](const scalarField&, scalarField&)
+            {
+                return outcome::failed("no mesh");
+            }
         ) == "no mesh"
     );
     for (const scalar bad : {std::numeric_limits<scalar>::quiet_NaN(), VGREAT})
@@ -95,7 +98,7 @@ void Foam::fsbi::checkFailures(checks& c)
             [&](const scalarField& x, scalarField& Hx)
             {
                 Hx = scalarField(x.size(), bad);
-                return string();
+                return outcome();
             }
         );
         c.check

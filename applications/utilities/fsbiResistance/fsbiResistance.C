@@ -71,9 +71,10 @@ static scalarField loadsAt(fsbi::scene& scene, const scalarField& motion)
     {
         velocities[i/6][i % 6] = motion[i];
     }
-    if (!scene.loadsAt(velocities, loads))
+    const fsbi::outcome solved(scene.loadsAt(velocities, loads));
+    if (!solved)
     {
-        FatalErrorInFunction << scene.failure().c_str() << exit(FatalError);
+        FatalErrorInFunction << solved.reason.c_str() << exit(FatalError);
     }
     scalarField flat(motion.size());
     forAll(flat, i)

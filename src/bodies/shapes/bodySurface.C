@@ -7,6 +7,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "triangleCrossings.H"
 #include "mathematicalConstants.H"
 #include "error.H"
+#include "OStringStream.H"
 
 #include <unordered_map>
 
@@ -32,7 +33,7 @@ Foam::scalar Foam::fsbi::bodySurface::moments
 }
 
 
-void Foam::fsbi::bodySurface::checkEdges(const word& name) const
+Foam::fsbi::outcome Foam::fsbi::bodySurface::closed(const word& name) const
 {
     // uses forward and backward of every undirected edge
     std::unordered_map<uint64_t, std::pair<int, int>> uses;
@@ -57,13 +58,17 @@ void Foam::fsbi::bodySurface::checkEdges(const word& name) const
     }
     if (open || nonManifold || flipped)
     {
-        FatalErrorInFunction
-            << "The surface of body '" << name << "' does not enclose a solid: "
-            << open << " edges with one triangle only (open), " << nonManifold
-            << " edges with more than two triangles (non-manifold), " << flipped
-            << " edges whose two triangles are oriented oppositely"
-            << exit(FatalError);
+        return outcome::failed
+        (
+            "The surface of body '" + name + "' does not enclose a solid: "
+          + Foam::name(open) + " edges with one triangle only (open), "
+          + Foam::name(nonManifold)
+          + " edges with more than two triangles (non-manifold), "
+          + Foam::name(flipped)
+          + " edges whose two triangles are oriented oppositely"
+        );
     }
+    return outcome();
 }
 
 
@@ -223,18 +228,33 @@ Foam::fsbi::bodySurface Foam::fsbi::bodySurface::scaled
 }
 
 
-void Foam::fsbi::bodySurface::check(const word& name) const
+Foam::fsbi::outcome Foam::fsbi::bodySurface::solid(const word& name) const
 {
-    checkEdges(name);
-
+    const outcome edges(closed(name));
+    if (!edges)
+    {
+        return edges;
+    }
     const labelPair crossing(triangleCrossing(points_, triangles_));
     if (crossing.first() >= 0)
     {
-        FatalErrorInFunction
-            << "The surface of body '" << name << "' intersects itself: "
+        OStringStream reason;
+        reason
+            << "The surface of body '" << name.c_str() << "' intersects itself: "
             << "triangles " << crossing.first() << " and " << crossing.second()
             << " cross near "
-            << triangles_[crossing.first()].centre(points_)
-            << exit(FatalError);
+            << triangles_[crossing.first()].centre(points_);
+        return outcome::failed(reason.str());
+    }
+    return outcome();
+}
+
+
+void Foam::fsbi::bodySurface::check(const word& name) const
+{
+    const outcome found(solid(name));
+    if (!found)
+    {
+        FatalErrorInFunction << found.reason.c_str() << exit(FatalError);
     }
 }
