@@ -35,7 +35,7 @@ void Foam::fsbi::prescribedBody::begin
     entries_.finish();
     if (saved.empty())
     {
-        now_.velocity = motion(time);
+        now_.velocity = given(time);
         old_ = now_;
         start_ = now_.centre;
     }
@@ -64,7 +64,7 @@ Foam::vector Foam::fsbi::prescribedBody::integral
 }
 
 
-Foam::fsbi::sixVector Foam::fsbi::prescribedBody::motion
+Foam::fsbi::sixVector Foam::fsbi::prescribedBody::given
 (
     const scalar time
 ) const
@@ -90,7 +90,7 @@ Foam::vector Foam::fsbi::prescribedBody::velocityAt
 
 void Foam::fsbi::prescribedBody::advance(const scalar time, const scalar dt)
 {
-    now_.velocity = motion(time);
+    now_.velocity = given(time);
     now_.centre = old_.centre + integral(velocity_, time, dt);
     now_.orientation = normalize
     (

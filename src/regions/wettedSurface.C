@@ -247,23 +247,6 @@ Foam::vectorField Foam::fsbi::wettedSurface::pointVelocity() const
 }
 
 
-Foam::fsbi::sixVector Foam::fsbi::wettedSurface::motion() const
-{
-    const vectorField v(pointVelocity());
-    const vectorField x(reference_.points() + pointDisplacement());
-    const vector centre(average(x)), mean(average(v));
-    vector momentum(Zero);
-    symmTensor inertia(Zero);
-    forAll(x, i)
-    {
-        const vector r(x[i] - centre);
-        momentum += r ^ (v[i] - mean);
-        inertia += magSqr(r)*symmTensor::I - sqr(r);
-    }
-    return join(mean, inv(inertia) & momentum);
-}
-
-
 Foam::scalar Foam::fsbi::wettedSurface::radius() const
 {
     return sqrt(reference_.area()/(4*constant::mathematical::pi));

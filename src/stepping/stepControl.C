@@ -5,30 +5,16 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "stepControl.H"
 #include "checkedDictionary.H"
-#include <csignal>
-#include <unistd.h>
 
 namespace
 {
 
-volatile std::sig_atomic_t interrupted = 0;
-volatile std::sig_atomic_t speaker = 0;
+//- Part of a step by which times may differ and still be the same
+const Foam::scalar sameTime = 1e-6;
 
-extern "C" void onInterrupt(int signal)
-{
-    static const char message[] =
-        "\nThe run ends after this step, with a saved state;"
-        " once more ends it at once\n";
-    interrupted = 1;
-    std::signal(signal, SIG_DFL);
-    if (speaker && write(STDERR_FILENO, message, sizeof(message) - 1) < 0)
-    {
-        speaker = 0;
-    }
-}
-
-//- Turn of a body in a step that is told where the user gives the step, rad
-const Foam::scalar unresolvedTurn = 1;
+//- Part of a step that the last one is longer, rather than that another follows:
+//  times are written with six digits
+const Foam::scalar shortestRest = 1e-4;
 
 //- Shorter steps tried, where one fails, to end an interrupted run with
 const Foam::label maxLastTries = 1;
@@ -40,53 +26,28 @@ bool running(const Foam::Time& time)
     return time.value() < time.endTime().value() - 0.5*time.deltaTValue();
 }
 
-//- Seconds in the unit that reads best
-std::string readable(const Foam::scalar seconds)
-{
-    char text[40];
-    if (seconds < 120)
-    {
-        snprintf(text, sizeof(text), "%.0f s", seconds);
-    }
-    else if (seconds < 7200)
-    {
-        snprintf(text, sizeof(text), "%.0f min", seconds/60);
-    }
-    else
-    {
-        snprintf(text, sizeof(text), "%.1f h", seconds/3600);
-    }
-    return text;
-}
-
 } // End anonymous namespace
 
 
 Foam::fsbi::stepControl::stepControl(Time& time)
 :
     time_(time),
+    progress_(time),
     chosen_(time.deltaTValue()),
-    gap_(GREAT),
     gridTime_(-GREAT),
     outputs_(outputsUntil(time.value())),
     before_(time),
     endBefore_(time.endTime().value()),
     retry_(false),
     stop_(false),
-    gapTold_(false),
-    turnTold_(false),
-    approachTold_(false),
     lastTries_(0),
-    leftOver_(0),
-    began_(-1),
-    firstTime_(time.value())
+    leftOver_(0)
 {
-    noteDefaults();
-    speaker = Pstream::master();
-    std::signal(SIGINT, onInterrupt);
-    std::signal(SIGTERM, onInterrupt);
-    // a file beyond the user's limit: writing it fails, and says so
-    std::signal(SIGXFSZ, SIG_IGN);
+    if (adjustable())
+    {
+        limiters_ = stepLimiter::all(time.controlDict());
+        shortest();     // a default that is noted from the start
+    }
 }
 
 
@@ -108,19 +69,114 @@ bool Foam::fsbi::stepControl::periodicOutput() const
 }
 
 
-Foam::scalar Foam::fsbi::stepControl::entry
-(
-    const word& key, const scalar deflt
-) const
+Foam::scalar Foam::fsbi::stepControl::writeInterval() const
 {
-    return time_.controlDict().getOrDefault<scalar>(key, deflt);
+    return
+        time_.controlDict().getOrDefault<scalar>("writeInterval", GREAT);
 }
 
 
 Foam::scalar Foam::fsbi::stepControl::shortest() const
 {
+    return checkedDictionary(time_.controlDict()).positive
+    (
+        "minDeltaT", 1e-6*time_.controlDict().get<scalar>("deltaT")
+    );
+}
+
+
+Foam::label Foam::fsbi::stepControl::outputsUntil(const scalar time) const
+{
+    return periodicOutput()
+      ? label
+        (
+            time/writeInterval()
+          + sameTime*min(time_.deltaTValue()/writeInterval(), scalar(1))
+        )
+      : 0;
+}
+
+
+Foam::fsbi::stepWish Foam::fsbi::stepControl::longest(const scene& scene)
+{
+    if (limiters_.empty())      // adjustTimeStep was switched on in the run
+    {
+        limiters_ = stepLimiter::all(time_.controlDict());
+    }
+    const stepSituation at
+    (
+        {scene, chosen_, time_.timeIndex() == 0, shortest()}
+    );
+    stepWish wish;
+    for (const stepLimiter& limiter : limiters_)
+    {
+        limiter.limit(at, wish);
+    }
+    return wish;
+}
+
+
+Foam::scalar Foam::fsbi::stepControl::fitted
+(
+    const scene& scene, const scalar dt
+) const
+{
+    const scalar now = time_.value();
+    scalar target = time_.endTime().value();
+    if (periodicOutput())
+    {
+        const scalar interval = writeInterval();
+        const scalar nextOutput = (outputs_ + 1)*interval;
+        // not onto a remainder before the end time
+        if (nextOutput < target - sameTime*dt)
+        {
+            target = nextOutput;
+        }
+    }
+    if (scene.effects())
+    {
+        const scalar instant = scene.effects()->nextInstant();
+        if (instant < target - sameTime*dt)
+        {
+            target = instant;
+        }
+    }
+    const scalar steps = (target - now)/dt;
     return
-        entry("minDeltaT", 1e-6*time_.controlDict().get<scalar>("deltaT"));
+        steps > sameTime && steps < labelMax
+      ? (target - now)/std::ceil(steps - sameTime)
+      : dt;
+}
+
+
+void Foam::fsbi::stepControl::choose(const scene& scene)
+{
+    if (adjustable())
+    {
+        const stepWish wish(longest(scene));
+        chosen_ = wish.length;
+        limit_ = wish.reason;
+        time_.setDeltaT(fitted(scene, chosen_), false);
+        return;
+    }
+    const scalar deltaT = time_.controlDict().get<scalar>("deltaT");
+    if (time_.value() < gridTime_ - sameTime*deltaT)
+    {
+        limit_ = "a rejected step";
+    }
+    else
+    {
+        gridTime_ = -GREAT;
+        chosen_ = deltaT;
+        limit_ = "deltaT";
+    }
+    const scalar left = time_.endTime().value() - time_.value();
+    // a step that ends there but for round-off is the same in a run that goes on
+    const bool last =
+        left > sameTime*deltaT && left < (1 + shortestRest)*chosen_
+     && mag(left - chosen_) > sameTime*chosen_;
+    limit_ = last && left < chosen_ ? "endTime" : limit_;
+    time_.setDeltaT(last ? left : chosen_, false);
 }
 
 
@@ -132,10 +188,7 @@ bool Foam::fsbi::stepControl::next(const scene& scene)
         {
             return false;
         }
-        if (began_ < 0)
-        {
-            began_ = clock_.elapsedTime();
-        }
+        progress_.begin();
         outputs_ = outputsUntil(time_.value());
         choose(scene);
         if (!running(time_))
@@ -147,8 +200,7 @@ bool Foam::fsbi::stepControl::next(const scene& scene)
         {
             return false;
         }
-        before_ = time_;
-        endBefore_ = time_.endTime().value();
+        beginStep();
     }
     retry_ = false;
     ++time_;
@@ -156,10 +208,7 @@ bool Foam::fsbi::stepControl::next(const scene& scene)
 }
 
 
-void Foam::fsbi::stepControl::reject
-(
-    const scene& scene, const outcome& step
-)
+void Foam::fsbi::stepControl::reject(const scene& scene, const outcome& step)
 {
     const scalar dt = 0.5*time_.deltaTValue();
     const string why(hopeless(scene));
@@ -174,11 +223,7 @@ void Foam::fsbi::stepControl::reject
             << " is " << shortest() << exit(FatalError);
     }
     // a shorter step may do to end with; if not, the mesh is that of a failed one
-    if
-    (
-        returnReduce(bool(interrupted), orOp<bool>())
-     && ++lastTries_ > maxLastTries
-    )
+    if (interruption_.asked() && ++lastTries_ > maxLastTries)
     {
         FatalErrorInFunction
             << "Interrupted while steps fail, the last one because "
@@ -189,9 +234,7 @@ void Foam::fsbi::stepControl::reject
     {
         gridTime_ = time_.value();
     }
-    // all of the clock goes back, also its count of outputs
-    static_cast<TimeState&>(time_) = before_;
-    time_.setEndTime(endBefore_);
+    rewind();
     chosen_ = dt;
     limit_ = "a rejected step";
     time_.setDeltaT(dt, false);
@@ -201,42 +244,8 @@ void Foam::fsbi::stepControl::reject
 
 void Foam::fsbi::stepControl::accept(const scene& scene)
 {
-    stop_ = returnReduce(bool(interrupted), orOp<bool>());
-    leftOver_ = 0;
-
-    const scalar end = max(time_.endTime().value(), time_.value());
-    const scalar done =
-        (time_.value() - firstTime_)/max(end - firstTime_, VSMALL);
-    const scalar left =
-        (clock_.elapsedTime() - began_)*(1 - done)/max(done, VSMALL);
-    gap_ = scene.smallestGap();
-    char gapText[40] = "";
-    if (gap_ < 0.1*GREAT)
-    {
-        snprintf(gapText, sizeof(gapText), "  gap %-8.4g", gap_);
-    }
-    char corrections[40] = "";
-    if (scene.solids().size())
-    {
-        snprintf
-        (
-            corrections, sizeof(corrections), "corrections %2d  ",
-            int(scene.report().corrections)
-        );
-    }
-    char line[320];
-    snprintf
-    (
-        line, sizeof(line),
-        "Time = %-10s dt %-9.4g %sits %3d  residual %7.1e%s %5.1f %%"
-        "  left %-7s dt by %s",
-        time_.timeName().c_str(), time_.deltaTValue(), corrections,
-        int(scene.report().iterations), scene.report().residual, gapText,
-        100*done, readable(left).c_str(), limit_.c_str()
-    );
-    Info<< line << scene.warning().c_str() << endl;
-    tellOfGap(scene);
-    tellOfTurn(scene);
+    endStep();
+    progress_.report(scene, limit_, !adjustable());
 }
 
 
@@ -259,68 +268,6 @@ Foam::string Foam::fsbi::stepControl::hopeless(const scene& scene)
 }
 
 
-void Foam::fsbi::stepControl::noteDefaults() const
-{
-    const checkedDictionary entries(time_.controlDict());
-    if (!entries.getOrDefault("adjustTimeStep", false))
-    {
-        return;
-    }
-    entries.getOrDefault("maxRotation", largestTurn);
-    entries.getOrDefault("maxTravel", largestTravel);
-    entries.getOrDefault("minDeltaT", shortest());
-    for (const word key : {"maxDeltaT", "maxApproach"})
-    {
-        if (!entries.found(key))
-        {
-            entries.getOrDefault(key, word("none"));
-        }
-    }
-}
-
-
-void Foam::fsbi::stepControl::tellOfTurn(const scene& scene)
-{
-    const auto tell = [&](const word& name, const vector& spin)
-    {
-        const scalar turn = mag(spin)*time_.deltaTValue();
-        if (!turnTold_ && !adjustable() && turn > unresolvedTurn)
-        {
-            Info<< "Body '" << name << "' turned by " << turn << " rad in this"
-                << " step: a motion that depends on where it points to is not"
-                << " resolved. Take a smaller deltaT, or adjustTimeStep (system/"
-                << "controlDict)" << endl;
-            turnTold_ = true;
-        }
-    };
-    for (const rigidBody& body : scene.bodies())
-    {
-        tell(body.name(), angular(body.now().velocity));
-    }
-    for (const solidRegion& solid : scene.solids())
-    {
-        if (scene.hasFluid())
-        {
-            tell(solid.name(), angular(solid.surface().motion()));
-        }
-    }
-}
-
-
-void Foam::fsbi::stepControl::tellOfGap(const scene& scene)
-{
-    if (gapTold_ || gap_ > 0.1*GREAT || gap_ >= scene.resolvedGap())
-    {
-        return;
-    }
-    Info<< "A gap of " << gap_ << " is narrower than the " << scene.resolvedGap()
-        << " that have cellsPerGap cells of minSize across: the flow in it is"
-        << " not resolved (system/remeshDict; shape size in constant/bodies)"
-        << endl;
-    gapTold_ = true;
-}
-
-
 bool Foam::fsbi::stepControl::saveDue() const
 {
     const bool discard =
@@ -337,18 +284,25 @@ bool Foam::fsbi::stepControl::saveDue() const
 }
 
 
-void Foam::fsbi::stepControl::conclude() const
+void Foam::fsbi::stepControl::beginStep()
 {
-    if (stop_)
-    {
-        Info<< nl << "Interrupted at " << time_.timeName() << ": the state is"
-            << " saved, 'startFrom latestTime' continues from here" << endl;
-    }
-    else if (time_.value() == firstTime_)
-    {
-        Info<< nl << "Nothing to do: the start time " << time_.timeName()
-            << " has reached the end time " << time_.endTime().value() << endl;
-    }
+    before_ = time_;
+    endBefore_ = time_.endTime().value();
+}
+
+
+void Foam::fsbi::stepControl::rewind()
+{
+    // all of the clock goes back, also its count of outputs
+    static_cast<TimeState&>(time_) = before_;
+    time_.setEndTime(endBefore_);
+}
+
+
+void Foam::fsbi::stepControl::endStep()
+{
+    stop_ = interruption_.asked();
+    leftOver_ = 0;
 }
 
 
@@ -368,5 +322,5 @@ void Foam::fsbi::stepControl::restore(const dictionary& state)
     chosen_ = state.get<scalar>("chosen");
     gridTime_ = state.get<scalar>("gridTime");
     outputs_ = outputsUntil(time_.value());
-    firstTime_ = time_.value();
+    progress_.restart();
 }

@@ -21,7 +21,7 @@ static const wordList limits({"maxDeltaT", "maxRotation", "maxTravel", "maxAppro
 static const wordList knownEntries
 ({
     "adjustTimeStep", "maxDeltaT", "maxRotation", "maxTravel", "maxApproach",
-    "minDeltaT",
+    "minDeltaT", "stepLimiters",
     "FoamFile", "application", "startFrom", "startTime", "stopAt", "endTime",
     "deltaT", "writeControl", "writeInterval", "purgeWrite", "writeFormat",
     "writePrecision", "writeCompression", "timeFormat", "timePrecision",
@@ -85,7 +85,9 @@ static void checkShortest(const dictionary& dict)
 //- That they end, and what is not used in them
 static void checkFixedSteps(const dictionary& dict)
 {
-    for (const word& key : limits)
+    wordList unused(limits);
+    unused.append("stepLimiters");
+    for (const word& key : unused)
     {
         if (dict.found(key))
         {
