@@ -15,6 +15,7 @@ Foam::fsbi::prescribedBody::prescribedBody
     entries_(dict)
 {
     entries_.found("type");
+    entries_.found("libs");
     now_.centre = entries_.get<point>("position");
     for (auto* given : {&velocity_, &angularVelocity_})
     {

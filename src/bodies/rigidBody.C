@@ -8,6 +8,19 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "checkedDictionary.H"
 #include "mathematicalConstants.H"
 #include "timeFunction.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+defineTypeNameAndDebug(rigidBody, 0);
+addToRunTimeSelectionTable(body, rigidBody, entries);
+
+} // End namespace fsbi
+} // End namespace Foam
+
 
 const Foam::wordList Foam::fsbi::rigidBody::integrators
 ({
@@ -43,7 +56,8 @@ Foam::fsbi::rigidBody::rigidBody
     solved_(false)
 {
     const checkedDictionary entries(dict);
-    entries.choice("type", {"rigidBody"});
+    entries.found("type");
+    entries.found("libs");
     integrator_ =
         entries.choice("integrator", integrators, integrators.first());
 

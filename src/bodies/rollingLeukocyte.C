@@ -6,12 +6,17 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "rollingLeukocyte.H"
 #include "leukocyte.H"
 #include "OStringStream.H"
+#include "Time.H"
 #include "Tuple2.H"
+#include "addToRunTimeSelectionTable.H"
 
 namespace Foam
 {
 namespace fsbi
 {
+
+defineTypeNameAndDebug(rollingLeukocyte, 0);
+addToRunTimeSelectionTable(body, rollingLeukocyte, entries);
 
 //- Distance from y = 0, in radii, below which a point belongs to both halves
 //  of the map: above round-off, below any edge
@@ -34,6 +39,15 @@ Foam::fsbi::rollingLeukocyte::rollingLeukocyte
     read(saved);
     begin(time, saved);
 }
+
+
+Foam::fsbi::rollingLeukocyte::rollingLeukocyte
+(
+    const bodySite& site, const dictionary& dict, const dictionary& saved
+)
+:
+    rollingLeukocyte(site.name, dict, site.time.value(), saved)
+{}
 
 
 void Foam::fsbi::rollingLeukocyte::read(const dictionary& saved)

@@ -19,7 +19,7 @@ defineRunTimeSelectionTable(couplingScheme, entries);
 static const scalar unbalanced = 1e-8;
 
 //- In the order of the solids
-static List<elasticRows*> rowsOf(PtrList<solidRegion>& solids)
+static List<elasticRows*> rowsOf(UPtrList<solidRegion>& solids)
 {
     List<elasticRows*> rows(solids.size());
     forAll(rows, e)
@@ -36,7 +36,7 @@ static List<elasticRows*> rowsOf(PtrList<solidRegion>& solids)
 Foam::fsbi::couplingScheme::couplingScheme
 (
     fluidRegion& fluid,
-    PtrList<solidRegion>& solids,
+    UPtrList<solidRegion>& solids,
     effectList* effects,
     const dictionary& dict
 )
@@ -57,7 +57,7 @@ Foam::fsbi::couplingScheme::couplingScheme
 
 Foam::autoPtr<Foam::fsbi::couplingScheme> Foam::fsbi::couplingScheme::New
 (
-    fluidRegion& fluid, PtrList<solidRegion>& solids, effectList* effects
+    fluidRegion& fluid, UPtrList<solidRegion>& solids, effectList* effects
 )
 {
     const dictionary dict

@@ -27,7 +27,7 @@ static const label maxCorrections = 15;
 Foam::fsbi::monolithic::monolithic
 (
     fluidRegion& fluid,
-    PtrList<solidRegion>& solids,
+    UPtrList<solidRegion>& solids,
     effectList* effects,
     const dictionary& dict
 )

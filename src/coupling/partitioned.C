@@ -29,7 +29,7 @@ addNamedToRunTimeSelectionTable(couplingScheme, partitioned, entries, IQNILS);
 Foam::fsbi::partitioned::partitioned
 (
     fluidRegion& fluid,
-    PtrList<solidRegion>& solids,
+    UPtrList<solidRegion>& solids,
     effectList* effects,
     const dictionary& dict
 )

@@ -59,6 +59,7 @@ Foam::fsbi::elasticBody::elasticBody(const word& name, const dictionary& dict)
 {
     const checkedDictionary entries(dict);
     entries.found("type");
+    entries.found("libs");
     if (entries.found("shape"))
     {
         readShape(entries);

@@ -11,7 +11,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Foam::fsbi::fluidRegion::fluidRegion
 (
     const Time& time,
-    const PtrList<rigidBody>& rigidBodies,
+    const UPtrList<rigidBody>& rigidBodies,
     const UPtrList<immersedBody>& bodies,
     timings& t,
     const dictionary& savedMesh
@@ -28,7 +28,7 @@ Foam::fsbi::fluidRegion::fluidRegion
     checkedDictionary::checkBlocks(mesh().schemesDict(), {});
     if (savedMesh.size())
     {
-        readFields(savedMesh);
+        restore(savedMesh);
     }
     else
     {
@@ -79,7 +79,7 @@ Foam::dictionary Foam::fsbi::fluidRegion::readMaterial(const Time& time)
 }
 
 
-void Foam::fsbi::fluidRegion::readFields(const dictionary& saved)
+void Foam::fsbi::fluidRegion::restore(const dictionary& saved)
 {
     IOobject io
     (

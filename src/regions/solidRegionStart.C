@@ -8,21 +8,28 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "Time.H"
 #include "mathematicalConstants.H"
 #include "IOdictionary.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+defineTypeNameAndDebug(solidRegion, 0);
+addToRunTimeSelectionTable(body, solidRegion, entries);
+
+} // End namespace fsbi
+} // End namespace Foam
+
 
 Foam::fsbi::solidRegion::solidRegion
 (
-    const Time& time,
-    timings& t,
-    const word& name,
-    const dictionary& dict,
-    const bool alone,
-    const bool inFluid,
-    const dictionary& saved
+    const bodySite& site, const dictionary& dict, const dictionary& saved
 )
 :
-    time_(time),
-    timings_(t),
-    body_(name, dict),
+    time_(site.time),
+    timings_(site.clocks),
+    body_(site.name, dict),
     material_
     (
         solidMaterial::New
@@ -31,13 +38,13 @@ Foam::fsbi::solidRegion::solidRegion
             (
                 IOobject
                 (
-                    "material", time.caseConstant(), name, time,
+                    "material", time_.caseConstant(), site.name, time_,
                     IOobject::MUST_READ, IOobject::NO_WRITE, false
                 )
             )
         )
     ),
-    inFluid_(inFluid),
+    inFluid_(site.inFluid),
     tethered_(Zero),
     fluidForce_(Zero),
     oldStep_(0),
@@ -47,8 +54,8 @@ Foam::fsbi::solidRegion::solidRegion
     auto timer = timings_.measure("meshing");
     mesh_ =
         saved.empty()
-      ? body_.makeMesh(time, alone)
-      : readRegionMesh(time, name, time.timeName());
+      ? body_.makeMesh(time_, site.alone)
+      : readRegionMesh(time_, site.name, time_.timeName());
     create(saved.size());
     if (saved.empty())
     {

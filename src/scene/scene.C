@@ -248,88 +248,31 @@ Foam::fsbi::outcome Foam::fsbi::scene::advanceSolids()
 
 void Foam::fsbi::scene::beginStep()
 {
-    for (rigidBody& body : bodies_)
-    {
-        body.beginStep();
-    }
-    for (solidRegion& solid : solids_)
-    {
-        solid.beginStep();
-    }
-    for (prescribedBody& body : prescribed_)
-    {
-        body.beginStep();
-    }
-    if (fluid_)
-    {
-        fluid_->beginStep();
-    }
     if (effects_)
     {
         effects_->setWalls(fluid_->walls());
-        effects_->beginStep();
     }
-    if (coupling_)
+    for (const auto& participant : participants_)
     {
-        coupling_->beginStep();
+        participant.second->beginStep();
     }
 }
 
 
 void Foam::fsbi::scene::rewind()
 {
-    for (rigidBody& body : bodies_)
+    for (const auto& participant : participants_)
     {
-        body.rewind();
-    }
-    for (solidRegion& solid : solids_)
-    {
-        solid.rewind();
-    }
-    for (prescribedBody& body : prescribed_)
-    {
-        body.rewind();
-    }
-    if (fluid_)
-    {
-        fluid_->rewind();
-    }
-    if (effects_)
-    {
-        effects_->rewind();
-    }
-    if (coupling_)
-    {
-        coupling_->rewind();
+        participant.second->rewind();
     }
 }
 
 
 void Foam::fsbi::scene::endStep()
 {
-    for (rigidBody& body : bodies_)
+    for (const auto& participant : participants_)
     {
-        body.endStep();
-    }
-    for (solidRegion& solid : solids_)
-    {
-        solid.endStep();
-    }
-    if (fluid_)
-    {
-        fluid_->endStep();
-    }
-    if (effects_)
-    {
-        effects_->endStep();
-    }
-    for (prescribedBody& body : prescribed_)
-    {
-        body.endStep();
-    }
-    if (coupling_)
-    {
-        coupling_->endStep();
+        participant.second->endStep();
     }
 }
 
@@ -337,43 +280,16 @@ void Foam::fsbi::scene::endStep()
 void Foam::fsbi::scene::save(dictionary& state) const
 {
     dictionary bodies;
-    for (const rigidBody& body : bodies_)
+    for (std::size_t i = 0; i < participants_.size(); ++i)
     {
         dictionary dict;
-        body.save(dict);
-        bodies.set(body.name(), dict);
-    }
-    for (const solidRegion& solid : solids_)
-    {
-        dictionary dict;
-        solid.save(dict);
-        bodies.set(solid.name(), dict);
-    }
-    for (const prescribedBody& body : prescribed_)
-    {
-        dictionary dict;
-        body.save(dict);
-        bodies.set(body.name(), dict);
+        participants_[i].second->save(dict);
+        (label(i) < all_.size() ? bodies : state).set
+        (
+            participants_[i].first, dict
+        );
     }
     state.set("bodies", bodies);
-    if (fluid_)
-    {
-        dictionary mesh;
-        fluid_->save(mesh);
-        state.set("fluidMesh", mesh);
-    }
-    if (effects_)
-    {
-        dictionary effects;
-        effects_->save(effects);
-        state.set("effects", effects);
-    }
-    if (coupling_)
-    {
-        dictionary coupling;
-        coupling_->save(coupling);
-        state.set("coupling", coupling);
-    }
 }
 
 

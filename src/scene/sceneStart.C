@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "scene.H"
-#include "rollingLeukocyte.H"
+#include "prescribedBody.H"
 #include "Time.H"
 #include "caseInput.H"
 #include "HashSet.H"
@@ -27,36 +27,56 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
     checkRegions();
     if (fluidGiven())
     {
-        for (rigidBody& body : bodies_)
-        {
-            immersed_.append(&body);
-        }
-        for (solidRegion& solid : solids_)
-        {
-            immersed_.append(&solid.surface());
-        }
-        for (prescribedBody& body : prescribed_)
-        {
-            immersed_.append(&body);
-        }
-        fluid_.reset
-        (
-            new fluidRegion
-            (
-                time, bodies_, immersed_, timings_, saved.subOrEmptyDict("fluidMesh")
-            )
-        );
+        createFluid(saved.subOrEmptyDict("fluidMesh"));
     }
     tellUnread();
     createEffects(saved.subOrEmptyDict("effects"));
     if (fluid_ && solids_.size())
     {
         coupling_ = couplingScheme::New(fluid_(), solids_, effects_.get());
-        if (saved.found("coupling"))
-        {
-            coupling_->restore(saved.subDict("coupling"));
-        }
     }
+    listParticipants();
+    if (coupling_ && saved.found("coupling"))
+    {
+        coupling_->restore(saved.subDict("coupling"));
+    }
+}
+
+
+void Foam::fsbi::scene::createFluid(const dictionary& saved)
+{
+    for (rigidBody& body : bodies_)
+    {
+        immersed_.append(&body);
+    }
+    for (solidRegion& solid : solids_)
+    {
+        immersed_.append(&solid.surface());
+    }
+    for (prescribedBody& body : prescribed_)
+    {
+        immersed_.append(&body);
+    }
+    fluid_.reset(new fluidRegion(time_, bodies_, immersed_, timings_, saved));
+}
+
+
+void Foam::fsbi::scene::listParticipants()
+{
+    const auto join = [this](const word& name, stateful* participant)
+    {
+        if (participant)
+        {
+            participants_.push_back({name, participant});
+        }
+    };
+    for (body& any : all_)
+    {
+        join(any.name(), &any);
+    }
+    join("fluidMesh", fluid_.get());
+    join("effects", effects_.get());
+    join("coupling", coupling_.get());
 }
 
 
@@ -209,49 +229,40 @@ void Foam::fsbi::scene::readBodies
                 << " name { type rigidBody; shape {...} position (...); ... }"
                 << exit(FatalIOError);
         }
-        readBody(e, alone, saved.subOrEmptyDict(e.keyword()));
+        all_.append
+        (
+            body::New
+            (
+                {time_, timings_, e.keyword(), alone, fluidGiven()}, e.dict(),
+                saved.subOrEmptyDict(e.keyword())
+            )
+        );
+        sort(all_.last());
     }
 }
 
 
-void Foam::fsbi::scene::readBody
-(
-    const entry& body,
-    const bool alone,
-    const dictionary& saved
-)
+void Foam::fsbi::scene::sort(body& any)
 {
-    const word type
-    (
-        checkedDictionary(body.dict()).choice
-        (
-            "type", {"rigidBody", "elasticBody", "rollingLeukocyte"}
-        )
-    );
-    if (type == "rigidBody")
+    if (auto* rigid = dynamic_cast<rigidBody*>(&any))
     {
-        bodies_.append(new rigidBody(body.keyword(), body.dict(), saved));
+        bodies_.append(rigid);
     }
-    else if (type == "rollingLeukocyte")
+    else if (auto* elastic = dynamic_cast<solidRegion*>(&any))
     {
-        prescribed_.append
-        (
-            new rollingLeukocyte
-            (
-                body.keyword(), body.dict(), time_.value(), saved
-            )
-        );
+        solids_.append(elastic);
+    }
+    else if (auto* given = dynamic_cast<prescribedBody*>(&any))
+    {
+        prescribed_.append(given);
     }
     else
     {
-        solids_.append
-        (
-            new solidRegion
-            (
-                time_, timings_, body.keyword(), body.dict(), alone,
-                fluidGiven(), saved
-            )
-        );
+        FatalErrorInFunction
+            << "Type '" << any.type() << "' of body '" << any.name()
+            << "' is derived neither from rigidBody, solidRegion nor"
+            << " prescribedBody: nobody would solve for it"
+            << exit(FatalError);
     }
 }
 

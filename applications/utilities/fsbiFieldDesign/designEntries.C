@@ -156,7 +156,7 @@ Foam::scalar Foam::fsbi::designEntries::volume() const
         elastic()
       ? solidRegion
         (
-            time_, clocks, body_, bodyDict(), false, true, dictionary::null
+            {time_, clocks, body_, false, true}, bodyDict(), dictionary::null
         ).surface().placedSurface().volume()
       : rigidBody(body_, bodyDict()).placedSurface().volume();
     return inCase/pow3(units_.metre());
