@@ -46,6 +46,51 @@ def test_trapped_body_takes_steps_of_a_hundred_times_its_relaxation():
     assert x[3:].max() < 0.1 and x[-1] < 1e-3
 
 
+# Steps that carry a body by 0.9 at most, at the velocity that it has
+
+def test_step_limiter_of_ones_own_gives_steps_their_length_and_its_name():
+    velocity = history("drift")["bodies/tumourCell/velocity"]
+    speed = np.sqrt(sum(velocity[axis] ** 2 for axis in "xyz"))
+    ends = velocity["time"]
+    with open("drift/postProcessing/steps/0/steps.dat") as file:
+        limits = [line.split(maxsplit=7)[7].strip() for line in file if line[0] != "#"]
+    with open("drift/log.fsbiFoam") as file:
+        told = sum("dt by drift of tumourCell" in line for line in file)
+    drifts = [i for i, limit in enumerate(limits) if limit == "drift of tumourCell"]
+    assert len(drifts) == told > 5
+    for i in drifts:
+        left = 4000 - ends[i - 1]
+        # a whole number of them up to the end of the run
+        length = left / np.ceil(left * speed[i - 1] / 0.9 - 1e-6)
+        # bound: times have 12 digits, steps are a tenth of them
+        assert ends[i] - ends[i - 1] == pytest.approx(length, rel=1e-9)
+
+
+# A squirmer of the radius a in unbounded fluid: F = -6 pi mu a (V - 2/3 B e)
+
+RADIUS, EDGE, WALL = 8, 2, 60
+
+
+def force(case):
+    table = history(case)["bodies/tumourCell/force/fluid"]
+    return np.array([table[axis][-1] for axis in "xyz"])
+
+
+@pytest.mark.parametrize("case, slip", [("held", 1), ("swims", 0)])
+def test_squirmer_is_driven_by_two_thirds_of_its_slip(case, slip):
+    towed = force("towed")
+    # bound: second order in the edges; walls change the slip's part against that of
+    # the speed by the cube of radius over distance
+    bound = (EDGE / RADIUS) ** 2 + (RADIUS / WALL) ** 3
+    assert np.linalg.norm(force(case) + slip * towed) < bound * np.linalg.norm(towed)
+
+
+def test_towed_squirmer_has_the_drag_of_a_sphere():
+    drag = np.linalg.norm(force("towed")) / (6 * np.pi * RADIUS * 6e-4)
+    # bound: each of six walls 7.5 radii away adds 9/16 a/h at most
+    assert 1 < drag < 1 + 6 * 9 / 16 * RADIUS / WALL
+
+
 # Gent's law: stretches l along, m across, under the force T per undeformed area
 
 E, JM = 3, 3
