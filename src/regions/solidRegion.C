@@ -244,24 +244,13 @@ Foam::string Foam::fsbi::solidRegion::failureWarning()
 }
 
 
-void Foam::fsbi::solidRegion::remember()
+Foam::fsbi::workBalance::state Foam::fsbi::solidRegion::working() const
 {
-    faceForce_ = elastic_->boundaryForce();
-    faceD_ = fields_->boundaryD();
-    volumeForce_ = volumeForce();
-    sumD_ = gSum(volumes_*fields_->D());
-}
-
-
-void Foam::fsbi::solidRegion::addWork()
-{
-    const vectorField force(faceForce_);
-    const vectorField D(faceD_);
-    const vector b(volumeForce_), sum(sumD_);
-    remember();
-    measures_.work +=
-        0.5*gSum((force + faceForce_) & (faceD_ - D))
-      + 0.5*((b + volumeForce_) & (sumD_ - sum));
+    return
+    {
+        elastic_->boundaryForce(), fields_->boundaryD(), volumeForce(),
+        gSum(volumes_*fields_->D())
+    };
 }
 
 
@@ -309,7 +298,7 @@ Foam::vector Foam::fsbi::solidRegion::reaction(const word& patch) const
         (
             SubField<vector>
             (
-                faceForce_, pp.size(), pp.start() - mesh().nInternalFaces()
+                balance_.force(), pp.size(), pp.start() - mesh().nInternalFaces()
             )
         )
     );
@@ -370,7 +359,8 @@ void Foam::fsbi::solidRegion::endStep()
     motion_->endStep(fields_->D(), forces_);
     increment_ = x_ - oldX_;
     oldStep_ = time_.deltaTValue();
-    addWork();
+    balance_.add(working());
+    measures_.work = balance_.work();
     if (wetted_)
     {
         wetted_->endStep();

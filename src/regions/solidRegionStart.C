@@ -47,9 +47,7 @@ Foam::fsbi::solidRegion::solidRegion
     inFluid_(site.inFluid),
     tethered_(Zero),
     fluidForce_(Zero),
-    oldStep_(0),
-    volumeForce_(Zero),
-    sumD_(Zero)
+    oldStep_(0)
 {
     auto timer = timings_.measure("meshing");
     mesh_ =
@@ -308,7 +306,7 @@ void Foam::fsbi::solidRegion::start()
         }
     }
     setFields();
-    remember();
+    balance_.start(working());
 }
 
 

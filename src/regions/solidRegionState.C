@@ -13,7 +13,7 @@ void Foam::fsbi::solidRegion::visitState(const Visitor& visit)
 {
     visit("solution", x_);
     visit("increment", increment_);
-    visit("faceForce", faceForce_);
+    visit("faceForce", balance_.force());
     if (moves())
     {
         visit("prior", elastic_->referenceF());
@@ -77,8 +77,7 @@ void Foam::fsbi::solidRegion::save(dictionary& state) const
     body_.saveShape(state);
     state.set("formulation", elasticOperator::formulationNames[formulation_]);
     state.set("oldStep", oldStep_);
-    state.set("work", measures_.work);
-    state.set("volumeForce", volumeForce_);
+    balance_.save(state);
     dictionary motion;
     motion_->save(motion);
     state.set("motion", motion);
@@ -142,8 +141,9 @@ void Foam::fsbi::solidRegion::restore(const dictionary& state)
         changed("'mixed' or the kinds of boundary conditions are");
     }
     oldStep_ = state.get<scalar>("oldStep");
-    measures_.work = state.get<scalar>("work");
-    volumeForce_ = state.get<vector>("volumeForce");
-    faceD_ = fields_->boundaryD();
-    sumD_ = gSum(volumes_*fields_->D());
+    balance_.restore
+    (
+        state, fields_->boundaryD(), gSum(volumes_*fields_->D())
+    );
+    measures_.work = balance_.work();
 }
