@@ -75,7 +75,6 @@ Foam::fsbi::matrixFreeKrylov::outcome Foam::fsbi::NewtonKrylov::step
     {
         system_.renewPreconditioner();
     }
-    dx_ = 0;
     const matrixFreeKrylov::outcome outcome
     (
         krylov_.solve(rows.cdata(), dx_.begin(), accuracy, maxIterations_)

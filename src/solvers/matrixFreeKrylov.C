@@ -5,19 +5,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matrixFreeKrylov.H"
 
-namespace Foam
-{
-namespace fsbi
-{
-
-//- A guess may be worse than nothing by this factor: that of a fluid that has
-//  come to rest, for one. PETSc would give up at 1e5
-static const scalar farGuess = 1e30;
-
-} // End namespace fsbi
-} // End namespace Foam
-
-
 Foam::fsbi::matrixFreeKrylov::matrixFreeKrylov
 (
     const label size,
@@ -53,7 +40,6 @@ Foam::fsbi::matrixFreeKrylov::matrixFreeKrylov
     petscCheck(KSPSetOperators(krylov_, operator_, operator_));
     petscCheck(KSPSetType(krylov_, KSPFGMRES));
     petscCheck(KSPGMRESSetRestart(krylov_, restart));
-    petscCheck(KSPSetInitialGuessNonzero(krylov_, PETSC_TRUE));
     petscCheck(KSPGetPC(krylov_, &pc));
     petscCheck(PCSetType(pc, PCSHELL));
     petscCheck(PCShellSetContext(pc, this));
@@ -140,20 +126,14 @@ Foam::fsbi::matrixFreeKrylov::outcome Foam::fsbi::matrixFreeKrylov::solve
     VecNorm(rhs_, NORM_2, &rhsNorm);
     if (rhsNorm < VSMALL)
     {
-        // at rest: from another guess no tolerance would be reached, as it is
-        // relative to nothing
         std::fill_n(x, n, 0);
         return {0, 0, true};
     }
-    VecGetArray(unknown_, &values);
-    std::copy_n(x, n, values);
-    VecRestoreArray(unknown_, &values);
-
     petscCheck
     (
         KSPSetTolerances
         (
-            krylov_, tolerance, PETSC_DEFAULT, farGuess, maxIterations
+            krylov_, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, maxIterations
         )
     );
     petscCheck(KSPSolve(krylov_, rhs_, unknown_));
