@@ -69,7 +69,11 @@ void Foam::fsbi::timings::report(Ostream& os) const
     for (const word& part : parts_)
     {
         const cost& c = costs_[part];
-        row(part, c.seconds, c.memoryProfiled ? megabytes(c.bytes/1e6).c_str() : "");
+        row
+        (
+            part, c.seconds,
+            c.memoryProfiled ? megabytes(c.bytes/1e6).c_str() : ""
+        );
         rest -= c.seconds;
     }
     row("other", rest, "");

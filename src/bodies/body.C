@@ -5,7 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "body.H"
 #include "checkedDictionary.H"
-#include "OSspecific.H"
+#include "loadLibraries.H"
 
 namespace Foam
 {
@@ -24,10 +24,7 @@ Foam::autoPtr<Foam::fsbi::body> Foam::fsbi::body::New
     const bodySite& site, const dictionary& dict, const dictionary& saved
 )
 {
-    for (const fileName& lib : dict.getOrDefault("libs", fileNameList()))
-    {
-        dlOpen(lib, true);
-    }
+    loadLibraries(dict);
     const word type
     (
         checkedDictionary(dict).choice

@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "effect.H"
-#include "OSspecific.H"
+#include "loadLibraries.H"
 
 namespace Foam
 {
@@ -47,10 +47,7 @@ Foam::autoPtr<Foam::fsbi::effect> Foam::fsbi::effect::New
             entriesConstructorTablePtr_
          && entriesConstructorTablePtr_->found(type);
     };
-    for (const fileName& lib : e.dict().getOrDefault("libs", fileNameList()))
-    {
-        dlOpen(lib, true);
-    }
+    loadLibraries(e.dict());
     if (!known() && ours.found(type))
     {
         loadLibraryOf(type);

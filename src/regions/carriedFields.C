@@ -4,27 +4,16 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "carriedFields.H"
+#include "ofAllProcessors.H"
 #include "surfaceFields.H"
 #include "pointFields.H"
 #include "indexedOctree.H"
 #include "treeDataPoint.H"
-#include "ListListOps.H"
 
 namespace Foam
 {
 namespace fsbi
 {
-
-//- The lists of all processors, one after the other
-template<class Type>
-static Field<Type> ofAll(const Field<Type>& mine)
-{
-    List<Field<Type>> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = mine;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-    return ListListOps::combine<Field<Type>>(all, accessOp<Field<Type>>());
-}
 
 //- Delete the fields of a kind that the mesh owns
 template<class FieldType>
@@ -146,12 +135,12 @@ Foam::fsbi::carriedFields::carried<Type> Foam::fsbi::carriedFields::valuesOf
     forAll(slopes, d)
     {
         slopes[d] = gradientOf(field.component(d)());
-        ofCells[d] = ofAll(slopes[d]);
+        ofCells[d] = ofAllProcessors(slopes[d]);
     }
     carried<Type> all
     {
         field.name(), field.instance(), field.dimensions(),
-        List<Field<Type>>(1, ofAll(field.primitiveField())),
+        List<Field<Type>>(1, ofAllProcessors(field.primitiveField())),
         List<List<vectorField>>(1, ofCells)
     };
     for (label i = 0; i < mesh.boundaryMesh().nNonProcessor(); ++i)
@@ -160,9 +149,9 @@ Foam::fsbi::carriedFields::carried<Type> Foam::fsbi::carriedFields::valuesOf
         forAll(slopes, d)
         {
             beside[d] =
-                ofAll(vectorField(slopes[d], mesh.boundary()[i].faceCells()));
+                ofAllProcessors(vectorField(slopes[d], mesh.boundary()[i].faceCells()));
         }
-        all.values.append(ofAll(Field<Type>(field.boundaryField()[i])));
+        all.values.append(ofAllProcessors(Field<Type>(field.boundaryField()[i])));
         all.gradients.append(beside);
     }
     return all;
@@ -251,7 +240,7 @@ Foam::fsbi::carriedFields::carriedFields(fvMesh& mesh)
     {
         for (const pointField& mine : placesOf(mesh))
         {
-            places_.append(ofAll(mine));
+            places_.append(ofAllProcessors(mine));
         }
     }
     eraseOthers<scalar>(mesh);

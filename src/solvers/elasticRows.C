@@ -4,31 +4,19 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "elasticRows.H"
+#include "massRows.H"
 
 void Foam::fsbi::elasticRows::residual(const scalar* x, scalar* r) const
 {
     elastic->residual(x, *given, r);
-    forAll(mass, celli)
-    {
-        for (direction k = 0; k < 3; ++k)
-        {
-            const label i = 3*celli + k;
-            r[i] += mass[celli]*x[i] - force[celli][k];
-        }
-    }
+    addMassAndForce(mass, force, x, r);
 }
 
 
 void Foam::fsbi::elasticRows::applyJacobian(const scalar* dx, scalar* dr) const
 {
     elastic->applyJacobian(dx, dr);
-    forAll(mass, celli)
-    {
-        for (label i = 3*celli; i < 3*celli + 3; ++i)
-        {
-            dr[i] += mass[celli]*dx[i];
-        }
-    }
+    addMass(mass, dx, dr);
 }
 
 

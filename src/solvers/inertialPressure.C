@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "inertialPressure.H"
-#include "globalIndex.H"
+#include "compactLaplacian.H"
 #include "mathematicalConstants.H"
 
 Foam::fsbi::inertialPressure::inertialPressure
@@ -26,7 +26,8 @@ Foam::fsbi::inertialPressure::inertialPressure
     const scalar least =
         stokes_.closed() ? sqr(constant::mathematical::pi/longest) : 0;
     compactEntries entries;
-    addLaplacian(1/rate, true, entries);
+    addLaplacian(stokes_.stencil(), 1/rate, rows, entries);
+    addOpenPatches(1/rate, rows, entries);
     for (label i = 0; i < n; ++i)
     {
         entries.add(rows.toGlobal(i), rows.toGlobal(i), least*V[i]/rate[i]);
@@ -35,8 +36,12 @@ Foam::fsbi::inertialPressure::inertialPressure
     entries.fill(laplacian_);
     createCycle(laplacian_, laplacianCycle_);
 
+    const SubList<scalar> stabilisation(stokes_.stabilisation(), n);
     compactEntries smooth;
-    addLaplacian(1.5*stokes_.mu()*rate*D*SubList<scalar>(stokes_.stabilisation(), n), false, smooth);
+    addLaplacian
+    (
+        stokes_.stencil(), 1.5*stokes_.mu()*rate*D*stabilisation, rows, smooth
+    );
     for (label i = 0; i < n; ++i)
     {
         smooth.add(rows.toGlobal(i), rows.toGlobal(i), V[i]);
@@ -47,56 +52,30 @@ Foam::fsbi::inertialPressure::inertialPressure
 }
 
 
-void Foam::fsbi::inertialPressure::addLaplacian
+void Foam::fsbi::inertialPressure::addOpenPatches
 (
     const scalarField& coefficient,
-    const bool open,
+    const globalIndex& rows,
     compactEntries& entries
 ) const
 {
-    const meshStencil& stencil = stokes_.stencil();
-    const fvMesh& mesh = stencil.mesh();
-    const label n = mesh.nCells();
-    const globalIndex rows(n);
-    scalarList column(n + stencil.halo().size());
-    scalarList values(column.size());
-    for (label i = 0; i < n; ++i)
+    const fvMesh& mesh = stokes_.stencil().mesh();
+    forAll(stokes_.velocityGiven(), i)
     {
-        column[i] = rows.toGlobal(i);
-        values[i] = coefficient[i];
-    }
-    stencil.halo().fill(column.data(), 1);
-    stencil.halo().fill(values.data(), 1);
-    forAll(stencil.owner(), i)
-    {
-        const faceGradient face
+        const label facei = mesh.nInternalFaces() + i;
+        const polyBoundaryMesh& patches = mesh.boundaryMesh();
+        if
         (
-            stencil.area()[i], stencil.fromOwner()[i],
-            stencil.fromNeighbour()[i]
-        );
-        const label P = stencil.owner()[i];
-        const label N = stencil.neighbour()[i];
-        const scalar k = 0.5*(values[P] + values[N])*face.compact();
-        entries.link(column[P], column[N], k);
-        if (N < n)
+            !stokes_.velocityGiven()[i]
+         && !patches[patches.whichPatch(facei)].coupled()
+        )
         {
-            entries.link(column[N], column[P], k);
-        }
-    }
-    for (const polyPatch& pp : mesh.boundaryMesh())
-    {
-        for (label k = 0; open && !pp.coupled() && k < pp.size(); ++k)
-        {
-            const label i = pp.start() + k - mesh.nInternalFaces();
-            const label P = pp.faceCells()[k];
-            if (!stokes_.velocityGiven()[i])
-            {
-                entries.add
-                (
-                    column[P], column[P],
-                    coefficient[P]*stokes_.wallCoeff(i)/stokes_.mu()
-                );
-            }
+            const label P = mesh.faceOwner()[facei];
+            const label row = rows.toGlobal(P);
+            entries.add
+            (
+                row, row, coefficient[P]*stokes_.wallCoeff(i)/stokes_.mu()
+            );
         }
     }
 }

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "solidResidual.H"
+#include "massRows.H"
 #include "PstreamReduceOps.H"
 
 Foam::fsbi::solidResidual::solidResidual
@@ -84,15 +85,10 @@ bool Foam::fsbi::solidResidual::evaluate(const scalarList& x)
         );
     }
     scalar sum = 0;
-    forAll(problem_->force, celli)
-    {
-        for (direction k = 0; k < 3; ++k)
-        {
-            const label i = 3*celli + k;
-            rows_[i] +=
-                problem_->mass[celli]*x[i] - problem_->force[celli][k];
-        }
-    }
+    addMassAndForce
+    (
+        problem_->mass, problem_->force, x.cdata(), rows_.begin()
+    );
     forAll(rows_, i)
     {
         rows_[i] *= scale_[i];
@@ -127,13 +123,7 @@ void Foam::fsbi::solidResidual::finishJacobian
             -problem_->spring->stiffness*elastic_.boundaryIncrement(), dr
         );
     }
-    forAll(problem_->mass, celli)
-    {
-        for (label i = 3*celli; i < 3*celli + 3; ++i)
-        {
-            dr[i] += problem_->mass[celli]*dx[i];
-        }
-    }
+    addMass(problem_->mass, dx, dr);
     forAll(scale_, i)
     {
         dr[i] *= scale_[i];

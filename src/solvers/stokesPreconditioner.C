@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "stokesPreconditioner.H"
-#include "globalIndex.H"
+#include "compactLaplacian.H"
 
 Foam::fsbi::stokesPreconditioner::stokesPreconditioner
 (
@@ -34,46 +34,20 @@ void Foam::fsbi::stokesPreconditioner::addFluid
     const globalIndex& rows, compactEntries& entries
 ) const
 {
-    const meshStencil& stencil = stokes_.stencil();
-    scalarList column(pressure_.size());
-    for (label i = 0; i < mesh_.nCells(); ++i)
-    {
-        column[i] = rows.toGlobal(i);
-    }
-    stencil.halo().fill(column.data(), 1);
-    forAll(stencil.owner(), i)
-    {
-        const faceGradient face
-        (
-            stencil.area()[i], stencil.fromOwner()[i],
-            stencil.fromNeighbour()[i]
-        );
-        const scalar k = stokes_.mu()*face.compact();
-        const label P = stencil.owner()[i];
-        const label N = stencil.neighbour()[i];
-        entries.link(column[P], column[N], k);
-        if (N < mesh_.nCells())
-        {
-            entries.link(column[N], column[P], k);
-        }
-    }
+    addLaplacian
+    (
+        stokes_.stencil(), scalarField(mesh_.nCells(), stokes_.mu()), rows,
+        entries
+    );
     forAll(stokes_.velocityGiven(), i)
     {
         if (stokes_.velocityGiven()[i])
         {
             const label facei = mesh_.nInternalFaces() + i;
-            const label row = column[mesh_.faceOwner()[facei]];
+            const label row = rows.toGlobal(mesh_.faceOwner()[facei]);
             entries.add(row, row, stokes_.wallCoeff(i));
         }
     }
-}
-
-
-void Foam::fsbi::stokesPreconditioner::addMass
-(
-    const globalIndex& rows, compactEntries& entries
-) const
-{
     forAll(momentum_.massRate(), i)
     {
         const label row = rows.toGlobal(i);
@@ -87,7 +61,6 @@ void Foam::fsbi::stokesPreconditioner::setMatrix()
     const globalIndex rows(nRows_);
     compactEntries entries;
     addFluid(rows, entries);
-    addMass(rows, entries);
     for (elasticBlock& body : elastic_)
     {
         body.addEntries(rows, entries);

@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "stepLimiter.H"
-#include "OSspecific.H"
+#include "loadLibraries.H"
 
 namespace Foam
 {
@@ -29,10 +29,7 @@ static autoPtr<stepLimiter> own(const dictionary& limiters, const entry& e)
             << "Entry '" << e.keyword() << "' is no dictionary: a step limiter"
             << " is name { libs (...); ... }" << exit(FatalIOError);
     }
-    for (const fileName& lib : e.dict().getOrDefault("libs", fileNameList()))
-    {
-        dlOpen(lib, true);
-    }
+    loadLibraries(e.dict());
     const auto* table = stepLimiter::entriesConstructorTablePtr_;
     if (always.found(e.keyword()) || !table->found(e.keyword()))
     {

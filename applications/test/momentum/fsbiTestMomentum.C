@@ -12,15 +12,11 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
-#include "petscObjects.H"
-#include "unsteadyFlow.H"
+#include "momentumChecks.H"
 #include "meshOverlap.H"
-#include "checks.H"
-#include "testMeshes.H"
+#include "petscObjects.H"
 #include "argList.H"
 #include "mathematicalConstants.H"
-#include "volumeForce.H"
-#include "addToRunTimeSelectionTable.H"
 
 #include <complex>
 
@@ -28,11 +24,6 @@ using namespace Foam;
 using namespace Foam::fsbi;
 
 typedef std::complex<double> complexNumber;
-
-static const boundBox cube(point(-1, -1, -1), point(1, 1, 1));
-static const boundBox wide(point(-3, -3, -3), point(3, 3, 3));
-static const scalar mu = 1.7, rho = 1.3;
-static const std::string heavy("inertia { density 1.3; }");
 
 
 //- A uniform flow on a mesh of which all moves, in steps of changing length
@@ -411,149 +402,6 @@ static void checkMethods(checks& c)
         "SIMPLEC's force is that of coupled",
         mag(a.force() - b.force())/mag(a.force()), 1e-5
     );
-}
-
-
-//- A fluid that accelerates as a whole, and one at rest that is heavy
-static void checkPressure(checks& c)
-{
-    const testMeshes room(wide);
-    autoPtr<fvMesh> mesh(room.mesh("tetrahedra", 6, 0.4));
-    const scalarField& V = mesh->cellVolumes();
-    const auto gradient = [&](const unsteadyFlow& flow, const vector& slope)
-    {
-        scalar mean = 0, worst = 0;
-        const auto defect = [&](const label i)
-        {
-            return flow.x[4*i + 3] - (slope & mesh->cellCentres()[i]);
-        };
-        forAll(V, i)
-        {
-            mean += V[i]*defect(i)/sum(V);
-        }
-        forAll(V, i)
-        {
-            worst = max(worst, mag(defect(i) - mean));
-        }
-        return worst/(mag(slope)*6);
-    };
-    const vector A(0.3, -0.2, 0.5);
-    unsteadyFlow flow
-    (
-        mesh(), mu, heavy,
-        [&](const point&, const scalar t) { return sqr(t)*A; }
-    );
-    for (const scalar dt : {0.1, 0.07, 0.2})
-    {
-        flow.step(dt, "tolerance 1e-10;");
-    }
-    // bound: BDF2 is exact for what is quadratic in time, after a first step
-    // whose error, of a field that is uniform, dies out by half a step
-    const vector U3(flow.u(Zero, flow.time()));
-    c.checkBelow("the velocity is uniform", flow.error(), 1e-8);
-    const scalar r = 0.2/0.07;
-    const scalar t[3] = {flow.time(), flow.time() - 0.2, flow.time() - 0.27};
-    const vector rate
-    (
-        (
-            (1 + 2*r)/(1 + r)*U3 - (1 + r)*sqr(t[1])*A
-          + sqr(r)/(1 + r)*sqr(t[2])*A
-        )/0.2
-    );
-    c.checkBelow("and its rate 2 t A", mag(rate - 2*t[0]*A)/mag(rate), 1e-12);
-    c.checkBelow
-    (
-        "pressure of a fluid that accelerates", gradient(flow, -rho*2*t[0]*A),
-        1e-7
-    );
-
-    const vector g(0.1, -9, 3);
-    unsteadyFlow rest
-    (
-        mesh(), mu,
-        "forces { weight { type gravity; density 1.3; acceleration"
-        " (0.1 -9 3); } }",
-        [](const point&, scalar) { return vector::zero; }
-    );
-    rest.step(1, "tolerance 1e-10;");
-    c.checkBelow("pressure of a heavy fluid", gradient(rest, rho*g), 1e-7);
-    scalar body = 0;
-    const polyPatch& pp = mesh->boundaryMesh()["sphere"];
-    forAll(pp, k)
-    {
-        body -= pp.faceCentres()[k] & pp.faceAreas()[k]/3;
-    }
-    c.checkBelow
-    (
-        "Archimedes", mag(rest.force() + rho*body*g)/(rho*body*mag(g)), 1e-7
-    );
-}
-
-
-namespace Foam
-{
-namespace fsbi
-{
-
-//- As a user's library would have it: the gradient of (s.x)^2
-class outsideForce
-:
-    public volumeForce
-{
-    vector slope_;
-
-public:
-
-    TypeName("outside");
-
-    explicit outsideForce(const checkedDictionary& entries)
-    :
-        slope_(entries.get<vector>("slope"))
-    {}
-
-    void add(const pointField& x, const scalar, vectorField& b) const override
-    {
-        forAll(x, i)
-        {
-            b[i] += 2*(slope_ & x[i])*slope_;
-        }
-    }
-};
-
-defineTypeNameAndDebug(outsideForce, 0);
-addToRunTimeSelectionTable(volumeForce, outsideForce, entries);
-
-} // End namespace fsbi
-} // End namespace Foam
-
-
-//- p = (s.x)^2 holds it
-static void checkOutside(checks& c)
-{
-    const testMeshes meshes(cube);
-    autoPtr<fvMesh> mesh(meshes.mesh("hexahedra", 8));
-    unsteadyFlow rest
-    (
-        mesh(), mu, "forces { push { type outside; slope (1 0.5 -0.7); } }",
-        [](const point&, scalar) { return vector::zero; }
-    );
-    rest.step(1);
-    const vector s(1, 0.5, -0.7);
-    scalar mean = 0, worst = 0;
-    const auto defect = [&](const label i)
-    {
-        return rest.x[4*i + 3] - sqr(s & mesh->cellCentres()[i]);
-    };
-    for (label i = 0; i < mesh->nCells(); ++i)
-    {
-        mean += defect(i)/mesh->nCells();
-    }
-    for (label i = 0; i < mesh->nCells(); ++i)
-    {
-        worst = max(worst, mag(defect(i) - mean));
-    }
-    // bound: second order on cells of a quarter, of a pressure that changes by 5
-    c.checkBelow("a force of another library", worst, sqr(0.25));
 }
 
 

@@ -112,7 +112,10 @@ Foam::tensor Foam::fsbi::elasticOperator::meshStress(const label v) const
         const strained s(step(v));
         return (s.F & referenceStress(v)) + lawStress(s);
     }
-    return pushForward(v, material_.linear() ? linearStress(v) : lawStress(total(v)));
+    return pushForward
+    (
+        v, material_.linear() ? linearStress(v) : lawStress(total(v))
+    );
 }
 
 

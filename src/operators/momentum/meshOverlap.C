@@ -6,7 +6,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshOverlap.H"
 #include "indexedOctree.H"
 #include "treeDataPoint.H"
-#include "ListListOps.H"
+#include "globalIndex.H"
+#include "ofAllProcessors.H"
 
 namespace Foam
 {
@@ -18,17 +19,6 @@ static const label leafSize = 8;
 
 //- Part of a cell's volume that may stay without an old cell: round-off
 static const scalar roundOff = 1e-9;
-
-//- The lists of all processors, one after the other
-template<class ListType>
-static ListType ofAll(const ListType& mine)
-{
-    List<ListType> all(Pstream::nProcs());
-    all[Pstream::myProcNo()] = mine;
-    Pstream::gatherList(all);
-    Pstream::scatterList(all);
-    return ListListOps::combine<ListType>(all, accessOp<ListType>());
-}
 
 static scalar volumeOf(const FixedList<point, 4>& t)
 {
@@ -208,24 +198,16 @@ Foam::fsbi::meshOverlap::meshOverlap
     centres_ /= volumes;
 
     // numbers of the cells in the lists of all
-    labelList sizes(Pstream::nProcs());
-    sizes[Pstream::myProcNo()] = mesh.nCells();
-    Pstream::gatherList(sizes);
-    Pstream::scatterList(sizes);
-    label before = 0;
-    for (label p = 0; p < Pstream::myProcNo(); ++p)
-    {
-        before += sizes[p];
-    }
+    const globalIndex numbers(mesh.nCells());
     for (label& celli : cells_)
     {
-        celli += before;
+        celli = numbers.toGlobal(celli);
     }
-    centres_ = ofAll(centres_);
-    u_ = ofAll(u);
-    gradients_ = ofAll(gradient);
-    corners_ = ofAll(corners_);
-    cells_ = ofAll(cells_);
+    centres_ = ofAllProcessors(centres_);
+    u_ = ofAllProcessors(u);
+    gradients_ = ofAllProcessors(gradient);
+    corners_ = ofAllProcessors(corners_);
+    cells_ = ofAllProcessors(cells_);
 }
 
 
