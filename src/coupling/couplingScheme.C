@@ -106,7 +106,8 @@ Foam::List<Foam::vectorField> Foam::fsbi::couplingScheme::effectForces
     List<vectorField> forces(solids_.size());
     forAll(forces, e)
     {
-        forces[e] = vectorField(elastic_[e]->elastic->kinds().size(), Zero);
+        forces[e].setSize(elastic_[e]->elastic->boundary().kinds().size());
+        forces[e] = Zero;
     }
     if (!effects_)
     {

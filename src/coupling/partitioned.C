@@ -158,7 +158,7 @@ Foam::fsbi::boundarySpring Foam::fsbi::partitioned::spring
     const elasticRows& body = *elastic_[solidi];
     const fvMesh& mesh = solids_[solidi].mesh();
     const label inner = mesh.nInternalFaces();
-    scalarField area(body.elastic->kinds().size(), 0);
+    scalarField area(body.elastic->boundary().kinds().size(), 0);
     for (const label i : body.solid.faces)
     {
         area[i] = mag(mesh.faceAreas()[inner + i]);

@@ -6,7 +6,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "conformalMesher.H"
 #include "cellEstimate.H"
 #include "gmshModel.H"
-#include "meshAssembly.H"
 #include "meshingAttempts.H"
 #include "serialScope.H"
 #include "sizeField.H"
@@ -156,7 +155,18 @@ Foam::fsbi::outcome Foam::fsbi::conformalMesher::apart
         return outcome::failed(reason.str());
     }
 
-    // nothing crosses: one point decides for the whole body
+    return outside(names, bodies, walls);
+}
+
+
+Foam::fsbi::outcome Foam::fsbi::conformalMesher::outside
+(
+    const wordList& names,
+    const UList<bodySurface>& bodies,
+    const bodySurface& walls
+) const
+{
+    OStringStream reason;
     forAll(bodies, b)
     {
         const point& p = bodies[b].points()[0];
@@ -184,6 +194,53 @@ Foam::fsbi::outcome Foam::fsbi::conformalMesher::apart
         }
     }
     return outcome();
+}
+
+
+Foam::DynamicList<Foam::fsbi::boundaryTriangle>
+Foam::fsbi::conformalMesher::boundaryOf
+(
+    const UList<bodySurface>& bodies,
+    const bodySurface& walls,
+    const gmshModel& model,
+    meshLists& mesh
+) const
+{
+    DynamicList<boundaryTriangle> boundary;
+    const label nDomain = domain_.boundaryMesh().size();
+    label offset = 0;
+    forAll(bodies, b)
+    {
+        forAll(bodies[b].triangles(), i)
+        {
+            const triFace& t = bodies[b].triangles()[i];
+            // out of the fluid is into the body
+            const triFace f(t[0] + offset, t[2] + offset, t[1] + offset);
+            boundary.append({f, nDomain + b, i});
+        }
+        mesh.bodyPoints.append(identity(bodies[b].points().size(), offset));
+        offset += bodies[b].points().size();
+    }
+    if (outline_.curved())
+    {
+        forAll(walls.triangles(), i)
+        {
+            const triFace& t = walls.triangles()[i];
+            const triFace f(t[0] + offset, t[1] + offset, t[2] + offset);
+            boundary.append({f, wallPatches_[i], -1});
+        }
+    }
+    else
+    {
+        for (label piece = 0; piece < outline_.nPieces(); ++piece)
+        {
+            for (const triFace& t : model.pieceTriangles(piece))
+            {
+                boundary.append({t, outline_.patch(piece), -1});
+            }
+        }
+    }
+    return boundary;
 }
 
 
@@ -229,43 +286,10 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
         return mesh;
     }
 
-    DynamicList<boundaryTriangle> boundary;
-    const label nDomain = domain_.boundaryMesh().size();
-    label offset = 0;
-    forAll(bodies, b)
-    {
-        forAll(bodies[b].triangles(), i)
-        {
-            const triFace& t = bodies[b].triangles()[i];
-            // out of the fluid is into the body
-            const triFace f(t[0] + offset, t[2] + offset, t[1] + offset);
-            boundary.append({f, nDomain + b, i});
-        }
-        mesh.bodyPoints.append(identity(bodies[b].points().size(), offset));
-        offset += bodies[b].points().size();
-    }
-    if (outline_.curved())
-    {
-        forAll(walls.triangles(), i)
-        {
-            const triFace& t = walls.triangles()[i];
-            const triFace f(t[0] + offset, t[1] + offset, t[2] + offset);
-            boundary.append({f, wallPatches_[i], -1});
-        }
-    }
-    else
-    {
-        for (label piece = 0; piece < outline_.nPieces(); ++piece)
-        {
-            for (const triFace& t : model.pieceTriangles(piece))
-            {
-                boundary.append({t, outline_.patch(piece), -1});
-            }
-        }
-    }
     assembleMesh
     (
-        mesh, std::move(tetrahedra), boundary, nDomain + bodies.size()
+        mesh, std::move(tetrahedra), boundaryOf(bodies, walls, model, mesh),
+        domain_.boundaryMesh().size() + bodies.size()
     );
     cyclics_.order(mesh);
     return mesh;

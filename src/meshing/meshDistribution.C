@@ -95,18 +95,16 @@ static void refuseCyclic(const meshLists& whole)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsbi::meshDistribution::select
+void Foam::fsbi::meshDistribution::selectCells
 (
-    const meshLists& whole, const labelList& cellRank, const label me
+    const meshLists& whole,
+    const labelList& cellRank,
+    const label me,
+    labelList& localCell,
+    labelList& localPoint
 )
 {
-    wholePatchStarts = whole.patchStarts;
-    mesh.patchNames = whole.patchNames;
-    mesh.patchDicts = whole.patchDicts;
-    mesh.bodyPoints = whole.bodyPoints;
-    mesh.failure = whole.failure;
-    refuseCyclic(whole);
-    labelList localCell(cellRank.size(), -1);
+    localCell = labelList(cellRank.size(), -1);
     DynamicList<label> mine;
     forAll(cellRank, c)
     {
@@ -134,7 +132,7 @@ void Foam::fsbi::meshDistribution::select
             }
         }
     }
-    labelList localPoint(whole.points.size(), -1);
+    localPoint = labelList(whole.points.size(), -1);
     DynamicList<label> kept;
     forAll(used, p)
     {
@@ -146,8 +144,18 @@ void Foam::fsbi::meshDistribution::select
     }
     points.transfer(kept);
     mesh.points = pointField(whole.points, points);
+}
 
-    growingFaces part;
+
+void Foam::fsbi::meshDistribution::selectFaces
+(
+    const meshLists& whole,
+    const labelList& localCell,
+    const labelList& localPoint,
+    growingFaces& part
+)
+{
+    const label nInternal = whole.neighbour.size();
     for (label f = 0; f < nInternal; ++f)
     {
         const label o = localCell[whole.owner[f]];
@@ -175,6 +183,24 @@ void Foam::fsbi::meshDistribution::select
         }
         mesh.patchSizes.append(part.faces.size() - mesh.patchStarts[patchi]);
     }
+}
+
+
+void Foam::fsbi::meshDistribution::select
+(
+    const meshLists& whole, const labelList& cellRank, const label me
+)
+{
+    wholePatchStarts = whole.patchStarts;
+    mesh.patchNames = whole.patchNames;
+    mesh.patchDicts = whole.patchDicts;
+    mesh.bodyPoints = whole.bodyPoints;
+    mesh.failure = whole.failure;
+    refuseCyclic(whole);
+    labelList localCell, localPoint;
+    selectCells(whole, cellRank, me, localCell, localPoint);
+    growingFaces part;
+    selectFaces(whole, localCell, localPoint, part);
     addProcessorPatches(whole, cellRank, me, localCell, localPoint, part);
     mesh.faces.transfer(part.faces);
     mesh.owner.transfer(part.owner);

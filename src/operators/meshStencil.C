@@ -249,6 +249,22 @@ Foam::fsbi::meshStencil::vertexMoments
 }
 
 
+Foam::List<Foam::DynamicList<Foam::label>>
+Foam::fsbi::meshStencil::cellsBeside() const
+{
+    List<DynamicList<label>> beside(mesh_.nCells());
+    forAll(owner_, i)
+    {
+        beside[owner_[i]].append(neighbour_[i]);
+        if (neighbour_[i] < mesh_.nCells())
+        {
+            beside[neighbour_[i]].append(owner_[i]);
+        }
+    }
+    return beside;
+}
+
+
 void Foam::fsbi::meshStencil::extend
 (
     const List<moments>& m,
@@ -266,13 +282,10 @@ void Foam::fsbi::meshStencil::extend
     }
     halo_.fill(number.data(), 1);
 
-    // face neighbours, those behind coupled faces included
-    List<DynamicList<label>> beside;
-
     // both sides of a coupled face see the cells that a vertex there lacks:
     // the lower point number takes them
     List<claimMap> claims(x.size());
-
+    List<DynamicList<label>> beside;
     forAll(x, v)
     {
         if (m[v].outside() < extendAbove)
@@ -281,15 +294,7 @@ void Foam::fsbi::meshStencil::extend
         }
         if (beside.empty())
         {
-            beside.setSize(mesh_.nCells());
-            forAll(owner_, i)
-            {
-                beside[owner_[i]].append(neighbour_[i]);
-                if (neighbour_[i] < mesh_.nCells())
-                {
-                    beside[neighbour_[i]].append(owner_[i]);
-                }
-            }
+            beside = cellsBeside();
         }
         const vector open(normalised(m[v].inverseCovariance & m[v].mean));
         const scalar gap = mag(open & m[v].mean);
@@ -313,16 +318,26 @@ void Foam::fsbi::meshStencil::extend
             }
         }
     }
-    if (!returnReduce(halo_.size(), sumOp<label>()))
+    if (returnReduce(halo_.size(), sumOp<label>()))
     {
-        return;
+        settle(claims, number, cells);
     }
+}
 
+
+void Foam::fsbi::meshStencil::settle
+(
+    List<claimMap>& claims,
+    const scalarList& number,
+    List<DynamicList<label>>& cells
+) const
+{
+    const globalIndex globalPoint(mesh_.nPoints());
     syncTools::syncPointList
     (
         mesh_, claims, lowestClaim(), claimMap(), noTurn()
     );
-    forAll(x, v)
+    forAll(claims, v)
     {
         const labelList all(cells[v]);
         const label nAround = mesh_.pointCells()[v].size();

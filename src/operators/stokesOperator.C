@@ -372,23 +372,28 @@ void Foam::fsbi::stokesOperator::residual
 }
 
 
+Foam::vector Foam::fsbi::stokesOperator::velocity
+(
+    const label celli, const vector& d
+) const
+{
+    const scalar* x = values_.cdata() + 4*celli;
+    const scalar* g = gradients_.cdata() + 12*celli;
+    return vector
+    (
+        x[0] + (vector(g[0], g[1], g[2]) & d),
+        x[1] + (vector(g[3], g[4], g[5]) & d),
+        x[2] + (vector(g[6], g[7], g[8]) & d)
+    );
+}
+
+
 void Foam::fsbi::stokesOperator::addAdvection
 (
     const scalarField& massFlux, const boundaryValues& b, scalar* r
 ) const
 {
     const label nCells = mesh_.nCells();
-    const auto reconstructed = [&](const label celli, const vector& way)
-    {
-        const scalar* x = values_.cdata() + 4*celli;
-        const scalar* g = gradients_.cdata() + 12*celli;
-        return vector
-        (
-            x[0] + (vector(g[0], g[1], g[2]) & way),
-            x[1] + (vector(g[3], g[4], g[5]) & way),
-            x[2] + (vector(g[6], g[7], g[8]) & way)
-        );
-    };
     const auto add = [&](const label celli, const vector& momentum)
     {
         r[4*celli] += momentum.x();
@@ -403,8 +408,8 @@ void Foam::fsbi::stokesOperator::addAdvection
         (
             0.5*flux
            *(
-                reconstructed(P, stencil_.fromOwner()[i])
-              + reconstructed(N, stencil_.fromNeighbour()[i])
+                velocity(P, stencil_.fromOwner()[i])
+              + velocity(N, stencil_.fromNeighbour()[i])
             )
         );
         add(P, carried);
@@ -437,7 +442,7 @@ void Foam::fsbi::stokesOperator::addAdvection
             (
                 velocityGiven_[i]
               ? b.faces[i]
-              : reconstructed
+              : velocity
                 (
                     P, mesh_.faceCentres()[facei] - mesh_.cellCentres()[P]
                 )

@@ -41,6 +41,75 @@ Foam::vector Foam::fsbi::stokesOperator::transposedAtWall
 }
 
 
+Foam::fsbi::wallGradient Foam::fsbi::stokesOperator::wall
+(
+    const label facei
+) const
+{
+    const label P = mesh_.faceOwner()[facei];
+    return wallGradient
+    (
+        mesh_.faceAreas()[facei],
+        mesh_.faceCentres()[facei] - mesh_.cellCentres()[P],
+        stencil_.wallWeight()[facei - mesh_.nInternalFaces()]
+    );
+}
+
+
+Foam::fsbi::stokesOperator::throughFace
+Foam::fsbi::stokesOperator::withVelocity
+(
+    const label facei, const vector& u, vector& traction
+) const
+{
+    const label P = mesh_.faceOwner()[facei];
+    const scalar* x = values_.cdata() + 4*P;
+    const scalar* g = gradients_.cdata() + 12*P;
+    const vector& S = mesh_.faceAreas()[facei];
+    const wallGradient at(wall(facei));
+    const vector Hu(at.gradient(x[0], u.x(), g));
+    const vector Hv(at.gradient(x[1], u.y(), g + 3));
+    const vector Hw(at.gradient(x[2], u.z(), g + 6));
+    const scalar p = at.value(x[3], g + 9);
+    const vector force(mu_*vector(Hu & S, Hv & S, Hw & S) - p*S);
+    traction = force + mu_*transposedAtWall(facei);
+    return {force, u & S};
+}
+
+
+Foam::fsbi::stokesOperator::throughFace
+Foam::fsbi::stokesOperator::withTraction
+(
+    const label facei, const vector& given, vector& traction
+) const
+{
+    const label P = mesh_.faceOwner()[facei];
+    const scalar* x = values_.cdata() + 4*P;
+    const scalar* g = gradients_.cdata() + 12*P;
+    const vector& S = mesh_.faceAreas()[facei];
+    const wallGradient at(wall(facei));
+    const vector& n = at.normal();
+    const vector transposed
+    (
+        S.x()*vector(g[0], g[1], g[2])
+      + S.y()*vector(g[3], g[4], g[5])
+      + S.z()*vector(g[6], g[7], g[8])
+    );
+    // the pressure that the given traction asks for, against the one
+    // extrapolated, drives the stabilising flux
+    const scalar p = 2*mu_*(transposed & n)/mag(S) - (given & n);
+    traction = mag(S)*given;
+    return
+    {
+        traction - mu_*transposed,
+        S.x()*at.value(x[0], g)
+      + S.y()*at.value(x[1], g + 3)
+      + S.z()*at.value(x[2], g + 6)
+      - stabilisation_[P]*mag(S)/at.distance()*(p - at.value(x[3], g + 9))
+    };
+}
+
+
 void Foam::fsbi::stokesOperator::addBoundaryFaces
 (
     const boundaryValues& b,
@@ -48,68 +117,23 @@ void Foam::fsbi::stokesOperator::addBoundaryFaces
     vectorField& traction
 ) const
 {
-    const labelUList& owner = mesh_.faceOwner();
-    const vectorField& Cf = mesh_.faceCentres();
-    const vectorField& C = mesh_.cellCentres();
-
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        if (pp.coupled())
+        for (label k = 0; !pp.coupled() && k < pp.size(); ++k)
         {
-            continue;
-        }
-        for (label facei = pp.start(); facei < pp.start() + pp.size(); ++facei)
-        {
+            const label facei = pp.start() + k;
             const label i = facei - mesh_.nInternalFaces();
-            const label P = owner[facei];
-            const vector& S = mesh_.faceAreas()[facei];
-            const wallGradient wall
+            const throughFace out
             (
-                S, Cf[facei] - C[P], stencil_.wallWeight()[i]
+                velocityGiven_[i]
+              ? withVelocity(facei, b.faces[i], traction[i])
+              : withTraction(facei, b.faces[i], traction[i])
             );
-            const scalar* x = values_.cdata() + 4*P;
-            const scalar* g = gradients_.cdata() + 12*P;
-            scalar* rP = r + 4*P;
-
-            vector t;
-            scalar flux;
-            if (velocityGiven_[i])
-            {
-                const vector& ub = b.faces[i];
-                const vector Hu(wall.gradient(x[0], ub.x(), g));
-                const vector Hv(wall.gradient(x[1], ub.y(), g + 3));
-                const vector Hw(wall.gradient(x[2], ub.z(), g + 6));
-                const scalar p = wall.value(x[3], g + 9);
-                t = mu_*vector(Hu & S, Hv & S, Hw & S) - p*S;
-                traction[i] = t + mu_*transposedAtWall(facei);
-                flux = ub & S;
-            }
-            else
-            {
-                // the pressure that the given traction asks for, against
-                // the one extrapolated, drives the stabilising flux
-                const vector& n = wall.normal();
-                const vector transposed
-                (
-                    S.x()*vector(g[0], g[1], g[2])
-                  + S.y()*vector(g[3], g[4], g[5])
-                  + S.z()*vector(g[6], g[7], g[8])
-                );
-                const scalar p =
-                    2*mu_*(transposed & n)/mag(S) - (b.faces[i] & n);
-                traction[i] = mag(S)*b.faces[i];
-                t = traction[i] - mu_*transposed;
-                flux =
-                    S.x()*wall.value(x[0], g)
-                  + S.y()*wall.value(x[1], g + 3)
-                  + S.z()*wall.value(x[2], g + 6)
-                  - stabilisation_[P]*mag(S)/wall.distance()
-                   *(p - wall.value(x[3], g + 9));
-            }
-            rP[0] -= t.x();
-            rP[1] -= t.y();
-            rP[2] -= t.z();
-            rP[3] += flux;
+            scalar* row = r + 4*mesh_.faceOwner()[facei];
+            row[0] -= out.force.x();
+            row[1] -= out.force.y();
+            row[2] -= out.force.z();
+            row[3] += out.flux;
         }
     }
 }

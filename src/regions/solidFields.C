@@ -173,8 +173,8 @@ void Foam::fsbi::solidFields::setStress
     const bool smallStrain
 )
 {
-    const tensorField& F = elastic.deformation();
-    const symmTensorField sigma(elastic.vertexStress());
+    const tensorField& F = elastic.state().deformation();
+    const symmTensorField sigma(elastic.state().CauchyStress());
     symmTensorField strain(F.size());
     scalarField J(F.size());
     forAll(F, v)

@@ -75,7 +75,7 @@ bool Foam::fsbi::solidRegion::evaluate()
     {
         forces_ -= rows_.share*rows_.tether;
     }
-    return returnReduce(elastic_->valid(), andOp<bool>());
+    return returnReduce(elastic_->state().valid(), andOp<bool>());
 }
 
 
@@ -319,7 +319,7 @@ void Foam::fsbi::solidRegion::beginStep()
 {
     const scalar dt = time_.deltaTValue();
     motion_->beginStep(dt);
-    elastic_->setStep(dt);
+    elastic_->state().setStep(dt);
     oldX_ = x_;
     if (oldStep_ > 0)
     {
@@ -374,7 +374,7 @@ void Foam::fsbi::solidRegion::endStep()
             setMoved();
         }
         elastic_->update();
-        const label n = 3*(mesh().nCells() + elastic_->nGhosts());
+        const label n = 3*(mesh().nCells() + elastic_->stencil().nGhosts());
         std::fill_n(x_.begin(), n, 0);
     }
 }

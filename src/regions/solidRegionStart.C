@@ -73,18 +73,8 @@ const Foam::dictionary& Foam::fsbi::solidRegion::controls() const
 }
 
 
-void Foam::fsbi::solidRegion::create(const bool saved)
+Foam::boolList Foam::fsbi::solidRegion::holdFaces()
 {
-    checkNumerics();
-    readFormulation();
-    volumes_ = mesh().cellVolumes();
-    centres_ = mesh().cellCentres();
-    fields_.reset(new solidFields(mesh(), saved, inFluid_));
-    conditions_.reset
-    (
-        new solidConditions(mesh_(), fields_->D(), reference_)
-    );
-    createMotion();
     boolList held(conditions_->given().kinds.size(), false);
     vectorField heldAt(held.size());
     forAll(held, i)
@@ -104,6 +94,23 @@ void Foam::fsbi::solidRegion::create(const bool saved)
             << exit(FatalError);
     }
     conditions_->hold(held, heldAt);
+    return held;
+}
+
+
+void Foam::fsbi::solidRegion::create(const bool saved)
+{
+    checkNumerics();
+    readFormulation();
+    volumes_ = mesh().cellVolumes();
+    centres_ = mesh().cellCentres();
+    fields_.reset(new solidFields(mesh(), saved, inFluid_));
+    conditions_.reset
+    (
+        new solidConditions(mesh_(), fields_->D(), reference_)
+    );
+    createMotion();
+    const boolList held(holdFaces());
     checkStatics();
 
     movedCells_.setSize(mesh().nCells(), Zero);
@@ -191,16 +198,16 @@ void Foam::fsbi::solidRegion::createMotion()
 
 void Foam::fsbi::solidRegion::readFormulation()
 {
-    typedef elasticOperator::formulation formulation;
+    typedef constitutiveState::formulation formulation;
     const word chosen
     (
         checkedDictionary(controls()).choice
         (
-            "formulation", elasticOperator::formulationNames.sortedToc(),
+            "formulation", constitutiveState::formulationNames.sortedToc(),
             "totalLagrangian"
         )
     );
-    formulation_ = elasticOperator::formulationNames[chosen];
+    formulation_ = constitutiveState::formulationNames[chosen];
     if (formulation_ != formulation::totalLagrangian)
     {
         reference_ = mesh().points();
@@ -268,7 +275,8 @@ void Foam::fsbi::solidRegion::setUnknowns()
         // cells and their mirror images
         const vectorField x(elastic_->stencil().centres());
         u = reinterpret_cast<vector*>(x_.data());
-        for (label i = 0; i < mesh().nCells() + elastic_->nGhosts(); ++i)
+        const label n = mesh().nCells() + elastic_->stencil().nGhosts();
+        for (label i = 0; i < n; ++i)
         {
             const bool ghost = i >= mesh().nCells();
             u[i] = body_.displacement

@@ -16,12 +16,12 @@ void Foam::fsbi::solidRegion::visitState(const Visitor& visit)
     visit("faceForce", balance_.force());
     if (moves())
     {
-        visit("prior", elastic_->referenceF());
+        visit("prior", elastic_->state().referenceF());
         visit("carried", elastic_->jumpHistory());
     }
     if (material_->viscosity() > 0)
     {
-        visit("before", elastic_->oldF());
+        visit("before", elastic_->state().oldF());
     }
     motion_->fields
     (
@@ -75,7 +75,7 @@ void Foam::fsbi::solidRegion::write
 void Foam::fsbi::solidRegion::save(dictionary& state) const
 {
     body_.saveShape(state);
-    state.set("formulation", elasticOperator::formulationNames[formulation_]);
+    state.set("formulation", constitutiveState::formulationNames[formulation_]);
     state.set("oldStep", oldStep_);
     balance_.save(state);
     dictionary motion;
@@ -106,7 +106,7 @@ void Foam::fsbi::solidRegion::restore(const dictionary& state)
     if
     (
         state.get<word>("formulation")
-     != elasticOperator::formulationNames[formulation_]
+     != constitutiveState::formulationNames[formulation_]
     )
     {
         changed("'formulation' is");

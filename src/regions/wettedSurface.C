@@ -10,6 +10,34 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "syncTools.H"
 #include "mathematicalConstants.H"
 
+namespace Foam
+{
+namespace fsbi
+{
+
+//- An order of points that does not depend on how the mesh is distributed: the
+//  fluid's mesh is made from it
+static labelList orderOf(const pointField& points)
+{
+    labelList order(identity(points.size()));
+    std::sort
+    (
+        order.begin(), order.end(), [&](const label a, const label b)
+        {
+            return std::lexicographical_compare
+            (
+                points[a].begin(), points[a].end(),
+                points[b].begin(), points[b].end()
+            );
+        }
+    );
+    return order;
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
 const Foam::polyPatch& Foam::fsbi::wettedSurface::patchOf(const fvMesh& mesh)
 {
     label found = -1;
@@ -57,24 +85,8 @@ Foam::fsbi::bodySurface Foam::fsbi::wettedSurface::surfaceOf
         points = pp.localPoints();
         faces = pp.localFaces();
     }
-    // an order that does not depend on how the mesh is distributed: the fluid's
-    // mesh is made from it
-    labelList order(identity(points.size())), number(points.size());
-    std::sort
-    (
-        order.begin(), order.end(), [&](const label a, const label b)
-        {
-            return std::lexicographical_compare
-            (
-                points[a].begin(), points[a].end(),
-                points[b].begin(), points[b].end()
-            );
-        }
-    );
-    forAll(order, i)
-    {
-        number[order[i]] = i;
-    }
+    const labelList order(orderOf(points));
+    const labelList number(invert(order.size(), order));
     List<triFace> triangles(faces.size());
     forAll(faces, i)
     {

@@ -105,25 +105,7 @@ void Foam::fsbi::SIMPLEC::createMatrices()
         )
     );
 
-    const surfaceScalarField& delta = mesh_.nonOrthDeltaCoeffs();
-    momentum_.reset
-    (
-        (
-           -fv::gaussLaplacianScheme<vector, scalar>::fvmLaplacianUncorrected
-            (
-                stokes_.mu()*mesh_.magSf(), delta, du_()
-            )
-        ).ptr()
-    );
-    if (equation_.massRate().size())
-    {
-        momentum_->diag() += equation_.massRate();
-    }
-    scalarField diagonal(momentum_->D());
-    scalarField offDiagonal(mesh_.nCells(), Zero);
-    momentum_->sumMagOffDiag(offDiagonal);
-    reciprocal_ = 1/(diagonal/alpha_ - offDiagonal);
-    momentum_->diag() += (1/alpha_ - 1)*diagonal;
+    createMomentum();
 
     volScalarField D
     (
@@ -136,8 +118,8 @@ void Foam::fsbi::SIMPLEC::createMatrices()
         (
            -fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
             (
-                Foam::linear<scalar>(mesh_).interpolate(D)*mesh_.magSf(), delta,
-                dp_()
+                Foam::linear<scalar>(mesh_).interpolate(D)*mesh_.magSf(),
+                mesh_.nonOrthDeltaCoeffs(), dp_()
             )
         ).ptr()
     );
@@ -145,6 +127,29 @@ void Foam::fsbi::SIMPLEC::createMatrices()
     {
         continuity_->setReference(0, 0);
     }
+}
+
+
+void Foam::fsbi::SIMPLEC::createMomentum()
+{
+    momentum_.reset
+    (
+        (
+           -fv::gaussLaplacianScheme<vector, scalar>::fvmLaplacianUncorrected
+            (
+                stokes_.mu()*mesh_.magSf(), mesh_.nonOrthDeltaCoeffs(), du_()
+            )
+        ).ptr()
+    );
+    if (equation_.massRate().size())
+    {
+        momentum_->diag() += equation_.massRate();
+    }
+    scalarField diagonal(momentum_->D());
+    scalarField offDiagonal(mesh_.nCells(), Zero);
+    momentum_->sumMagOffDiag(offDiagonal);
+    reciprocal_ = 1/(diagonal/alpha_ - offDiagonal);
+    momentum_->diag() += (1/alpha_ - 1)*diagonal;
 }
 
 

@@ -122,7 +122,7 @@ void Foam::fsbi::coupledSystem::addSurfaceForces
         {
             body.solid.addToFaces(load.triangles[bodies_->size() + e], force);
         }
-        body.elastic->addLoad(force, r + layout_.elastic(e));
+        body.elastic->boundary().addLoad(force, r + layout_.elastic(e));
     }
 }
 
@@ -242,7 +242,7 @@ bool Foam::fsbi::coupledSystem::admissible(const scalarList& x)
     {
         rows.setSize(elastic_[e]->elastic->size());
         elastic_[e]->residual(x.cdata() + layout_.elastic(e), rows.begin());
-        valid = valid && elastic_[e]->elastic->valid();
+        valid = valid && elastic_[e]->elastic->state().valid();
     }
     return valid;
 }

@@ -19,14 +19,14 @@ Foam::fsbi::elasticBlock::elasticBlock
     stencil_(elastic_.stencil()),
     stokes_(stokes),
     firstRow_(firstRow),
-    pressure_(elastic_.mixed() ? stencil_.mesh().nPoints() : 0, Zero)
+    pressure_(elastic_.state().mixed() ? stencil_.mesh().nPoints() : 0, Zero)
 {}
 
 
 Foam::scalar Foam::fsbi::elasticBlock::halfCoeff(const label ghost) const
 {
     const label i = stencil_.firstBoundary() + ghost;
-    return 2*elastic_.stiffness()*stencil_.compact()[i]/body_.rate;
+    return 2*elastic_.state().stiffness()*stencil_.compact()[i]/body_.rate;
 }
 
 
@@ -57,7 +57,8 @@ void Foam::fsbi::elasticBlock::setSurface(const globalIndex& rows)
     forAll(body_.solid.faces, i)
     {
         const label b = body_.solid.faces[i];
-        const bool held = elastic_.kinds()[b] == solidBoundary::displacement;
+        const bool held =
+            elastic_.boundary().kinds()[b] == solidBoundary::displacement;
         solid[body_.solid.faceNumbers[i]] = vector
         (
             held ? 0 : halfCoeff(stencil_.ghostOf()[b]),
@@ -100,7 +101,7 @@ void Foam::fsbi::elasticBlock::addBody
         const label P = column[stencil_.owner()[i]];
         const label N = column[stencil_.neighbour()[i]];
         const scalar k =
-            elastic_.stiffness()*stencil_.compact()[i]/body_.rate;
+            elastic_.state().stiffness()*stencil_.compact()[i]/body_.rate;
         entries.link(P, N, k);
         if (stencil_.neighbour()[i] < stencil_.nCells())
         {
@@ -111,7 +112,7 @@ void Foam::fsbi::elasticBlock::addBody
     {
         const label P =
             column[stencil_.owner()[stencil_.firstBoundary() + g]];
-        const auto kind = elastic_.kinds()[stencil_.ghostFaces()[g]];
+        const auto kind = elastic_.boundary().kindOf(g);
         const scalar part =
             kind == solidBoundary::displacement ? 1
           : kind == solidBoundary::symmetry ? 1.0/3
@@ -179,7 +180,7 @@ void Foam::fsbi::elasticBlock::addPressures
 {
     const auto add = [&](const label i, const vector& pull)
     {
-        if (elastic_.kindAt(i) == solidBoundary::traction)
+        if (elastic_.boundary().kindAt(i) == solidBoundary::traction)
         {
             force[i - stencil_.firstBoundary()] += pull;
             return;
@@ -210,21 +211,29 @@ void Foam::fsbi::elasticBlock::begin
     {
         const vector& ghost = row[nCells + g];
         const label i = stencil_.firstBoundary() + g;
-        switch (elastic_.kinds()[stencil_.ghostFaces()[g]])
+        switch (elastic_.boundary().kindOf(g))
         {
             case solidBoundary::traction:
-                force[g] = elastic_.ghostForce(g, ghost);
+                force[g] = elastic_.boundary().ghostForce(g, ghost);
                 break;
             case solidBoundary::displacement:
                 rhs[firstRow_ + stencil_.owner()[i]] +=
-                    elastic_.stiffness()*stencil_.compact()[i]*ghost;
+                    elastic_.state().stiffness()*stencil_.compact()[i]*ghost;
                 break;
             default:
                 break;
         }
     }
     addPressures(r, z, rhs, force);
+    share(force, fluidPressure, rhs);
+}
 
+
+void Foam::fsbi::elasticBlock::share
+(
+    const vectorField& force, const scalarList& fluidPressure, vectorField& rhs
+) const
+{
     const fvMesh& mesh = stokes_.stencil().mesh();
     const label n = body_.solid.nFaces;
     vectorField sums(2*n, Zero);
@@ -281,7 +290,7 @@ void Foam::fsbi::elasticBlock::end
         u[i] = velocity[firstRow_ + i]/body_.rate;
     }
     std::copy_n(row + nCells, stencil_.nGhosts(), u + nCells);
-    elastic_.followCells(u);
+    elastic_.boundary().followCells(u);
 
     vectorField pulled(push_.size(), Zero);
     forAll(body_.fluid.faces, i)

@@ -18,7 +18,7 @@ Foam::fsbi::elasticPreconditioner::elasticPreconditioner
     elastic_(elastic),
     stencil_(elastic.stencil()),
     vertices_(mesh, elastic, material),
-    pressure_(elastic.mixed() ? mesh.nPoints() : 0, Zero),
+    pressure_(elastic.state().mixed() ? mesh.nPoints() : 0, Zero),
     rhs_(mesh.nCells(), Zero),
     z_(mesh.nCells() + stencil_.nGhosts(), Zero)
 {}
@@ -47,7 +47,7 @@ void Foam::fsbi::elasticPreconditioner::setRows()
     {
         const label P = stencil_.owner()[i];
         const label N = stencil_.neighbour()[i];
-        const scalar k = elastic_.stiffness()*stencil_.compact()[i];
+        const scalar k = elastic_.state().stiffness()*stencil_.compact()[i];
         if (i < nInner)
         {
             rowCell_[fill[P]] = N;
@@ -63,7 +63,7 @@ void Foam::fsbi::elasticPreconditioner::setRows()
         else
         {
             const label g = i - stencil_.firstBoundary();
-            const auto kind = elastic_.kinds()[stencil_.ghostFaces()[g]];
+            const auto kind = elastic_.boundary().kindOf(g);
             diagonal_[P] +=
                 kind == solidBoundary::displacement ? 2*k
               : kind == solidBoundary::symmetry ? 2*k/3
@@ -121,12 +121,12 @@ void Foam::fsbi::elasticPreconditioner::addGhosts(const scalar* r) const
         const label i = stencil_.firstBoundary() + g;
         if
         (
-            elastic_.kinds()[stencil_.ghostFaces()[g]]
+            elastic_.boundary().kindOf(g)
          == solidBoundary::displacement
         )
         {
             rhs_[stencil_.owner()[i]] +=
-                elastic_.stiffness()*stencil_.compact()[i]*ghostRow[g];
+                elastic_.state().stiffness()*stencil_.compact()[i]*ghostRow[g];
         }
     }
 }
@@ -139,7 +139,7 @@ void Foam::fsbi::elasticPreconditioner::addPressures
 {
     const auto add = [this](const label i, const vector& pull)
     {
-        if (elastic_.kindAt(i) == solidBoundary::traction)
+        if (elastic_.boundary().kindAt(i) == solidBoundary::traction)
         {
             return;
         }
@@ -171,7 +171,7 @@ void Foam::fsbi::elasticPreconditioner::apply
         asVectors(r) + nCells, stencil_.nGhosts(),
         z_.begin() + nCells
     );
-    elastic_.followCells(z_.begin());
+    elastic_.boundary().followCells(z_.begin());
     vertices_.addCorrection(rhs_, z_);
     std::copy_n(z_.begin()->v_, 3*z_.size(), z);
 }

@@ -25,7 +25,7 @@ Foam::fsbi::surfaceDisplacement Foam::fsbi::elasticRows::surface() const
     vectorField moving(elastic->boundaryDisplacement());
     for (const label i : solid.faces)
     {
-        if (elastic->kinds()[i] == solidBoundary::displacement)
+        if (elastic->boundary().kinds()[i] == solidBoundary::displacement)
         {
             moving[i] = given->faces[i];
         }
@@ -52,7 +52,7 @@ Foam::fsbi::elasticRows::surfaceIncrement() const
     vectorField moving(elastic->boundaryIncrement());
     for (const label i : solid.faces)
     {
-        if (elastic->kinds()[i] == solidBoundary::displacement)
+        if (elastic->boundary().kinds()[i] == solidBoundary::displacement)
         {
             moving[i] = Zero;
         }
@@ -114,7 +114,7 @@ Foam::vectorField Foam::fsbi::elasticRows::surfaceForce
     const vectorField& traction
 ) const
 {
-    vectorField onFaces(elastic->kinds().size(), Zero);
+    vectorField onFaces(elastic->boundary().kinds().size(), Zero);
     solid.spreadFaces(-fluid.collectFaces(traction), onFaces);
     return onFaces;
 }

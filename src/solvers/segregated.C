@@ -32,7 +32,7 @@ Foam::fsbi::segregated::segregated
     maxIterations_(entries.count("maxIterations", 100000)),
     rows_(elastic.size())
 {
-    if (elastic.mixed())
+    if (elastic.state().mixed())
     {
         FatalIOErrorInFunction(entries.dict())
             << "Method 'segregated' has no pressure: give 'mixed no', or"
@@ -85,19 +85,19 @@ void Foam::fsbi::segregated::setMatrix(const scalarField& mass)
             add(N, P, -coeff(i));
         }
         const label g = i - stencil.firstBoundary();
-        if
-        (
-            g >= 0
-         && elastic_.kinds()[stencil.ghostFaces()[g]]
-         != solidBoundary::traction
-        )
+        if (g >= 0 && elastic_.boundary().kindOf(g) != solidBoundary::traction)
         {
             add(P, P, 2*coeff(i));
         }
     }
     entries.create(PETSC_COMM_WORLD, nCells, matrix_, solution_, source_);
     entries.fill(matrix_);
+    setKrylov();
+}
 
+
+void Foam::fsbi::segregated::setKrylov()
+{
     PC pc;
     petscCheck(KSPCreate(PETSC_COMM_WORLD, krylov_.create()));
     petscCheck(KSPSetType(krylov_, KSPCG));
@@ -122,7 +122,7 @@ void Foam::fsbi::segregated::solveCells()
     for (label g = 0; g < stencil.nGhosts(); ++g)
     {
         const label i = stencil.firstBoundary() + g;
-        const auto kind = elastic_.kinds()[stencil.ghostFaces()[g]];
+        const auto kind = elastic_.boundary().kindOf(g);
         for (label k = 0; kind == solidBoundary::displacement && k < 3; ++k)
         {
             rows_[3*stencil.owner()[i] + k] +=
@@ -167,7 +167,7 @@ Foam::fsbi::solverReport Foam::fsbi::segregated::solve
         }
         residual_.unscale(residual_.rows().cdata(), rows_);
         solveCells();
-        elastic_.followCells(asVectors(rows_.begin()));
+        elastic_.boundary().followCells(asVectors(rows_.begin()));
         forAll(x, i)
         {
             x[i] -= relaxation_*rows_[i];

@@ -26,14 +26,14 @@ void Foam::fsbi::solidResidual::setStiffness()
 {
     stiffness_ = problem_->mass;
     const elasticStencil& stencil = elastic_.stencil();
-    for (label g = 0; problem_->spring && g < elastic_.nGhosts(); ++g)
+    for (label g = 0; problem_->spring && g < elastic_.stencil().nGhosts(); ++g)
     {
         const label b = stencil.ghostFaces()[g];
         const label i = stencil.firstBoundary() + g;
         // in a row with half of the cell
-        const scalar k = 2*elastic_.stiffness()*stencil.compact()[i];
+        const scalar k = 2*elastic_.state().stiffness()*stencil.compact()[i];
         const scalar spring = problem_->spring->stiffness[b];
-        if (elastic_.kinds()[b] == solidBoundary::traction)
+        if (elastic_.boundary().kinds()[b] == solidBoundary::traction)
         {
             stiffness_[stencil.owner()[i]] += k*spring/(k + spring);
         }
@@ -54,7 +54,9 @@ void Foam::fsbi::solidResidual::setProblem(const solidProblem& problem)
       ? 0
       : 1e-15*sqrt(squareSum([&](const label celli)
         {
-            return elastic_.stiffness()*pow(mesh_.cellVolumes()[celli], 2.0/3.0);
+            return
+                elastic_.state().stiffness()
+               *pow(mesh_.cellVolumes()[celli], 2.0/3.0);
         }));
 }
 
@@ -78,7 +80,7 @@ bool Foam::fsbi::solidResidual::evaluate(const scalarList& x)
     elastic_.residual(x.cdata(), problem_->given, rows_.begin());
     if (problem_->spring)
     {
-        elastic_.addLoad
+        elastic_.boundary().addLoad
         (
             problem_->spring->force(elastic_.boundaryDisplacement()),
             rows_.begin()
@@ -95,7 +97,7 @@ bool Foam::fsbi::solidResidual::evaluate(const scalarList& x)
         sum += sqr(rows_[i]);
     }
     norm_ = sqrt(returnReduce(sum, sumOp<scalar>()));
-    if (!elastic_.valid() || !std::isfinite(norm_))
+    if (!elastic_.state().valid() || !std::isfinite(norm_))
     {
         return false;
     }
@@ -104,7 +106,7 @@ bool Foam::fsbi::solidResidual::evaluate(const scalarList& x)
         return
             mag(problem_->force[celli])
           + pow(mesh_.cellVolumes()[celli], 2.0/3.0)
-           *mag(elastic_.cellMean(celli, elastic_.stress()));
+           *mag(elastic_.stencil().cellMean(celli, elastic_.state().stress()));
     }));
     size_ = max(size_, size_ > 0 ? forces : max(forces, norm_));
     return true;
@@ -118,7 +120,7 @@ void Foam::fsbi::solidResidual::finishJacobian
 {
     if (problem_->spring)
     {
-        elastic_.addLoad
+        elastic_.boundary().addLoad
         (
             -problem_->spring->stiffness*elastic_.boundaryIncrement(), dr
         );

@@ -85,28 +85,13 @@ void Foam::fsbi::stokesPreconditioner::rebuild()
 }
 
 
-void Foam::fsbi::stokesPreconditioner::apply
+void Foam::fsbi::stokesPreconditioner::setForce
 (
-    const scalar* r,
-    scalar* z
+    const scalar* r, vectorField& force
 ) const
 {
     const label n = mesh_.nCells();
     const meshStencil& stencil = stokes_.stencil();
-    const scalarField& V = mesh_.cellVolumes();
-
-    for (label i = 0; i < n; ++i)
-    {
-        pressure_[i] = stokes_.mu()/V[i]*r[4*i + 3];
-    }
-    if (inertial_)
-    {
-        inertial_->apply(pressure_);
-    }
-    stencil.halo().fill(pressure_.data(), 1);
-
-    // r_u - G z_p
-    vectorField& force = velocity_;
     for (label i = 0; i < n; ++i)
     {
         force[i] = vector(r[4*i], r[4*i + 1], r[4*i + 2]);
@@ -134,6 +119,30 @@ void Foam::fsbi::stokesPreconditioner::apply
             force[P] -= pressure_[P]*mesh_.faceAreas()[facei];
         }
     }
+}
+
+
+void Foam::fsbi::stokesPreconditioner::apply
+(
+    const scalar* r,
+    scalar* z
+) const
+{
+    const label n = mesh_.nCells();
+    const scalarField& V = mesh_.cellVolumes();
+
+    for (label i = 0; i < n; ++i)
+    {
+        pressure_[i] = stokes_.mu()/V[i]*r[4*i + 3];
+    }
+    if (inertial_)
+    {
+        inertial_->apply(pressure_);
+    }
+    stokes_.stencil().halo().fill(pressure_.data(), 1);
+
+    vectorField& force = velocity_;
+    setForce(r, force);
     label start = 4*n;
     forAll(elastic_, e)
     {

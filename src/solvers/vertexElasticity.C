@@ -177,7 +177,7 @@ Foam::tensor Foam::fsbi::vertexElasticity::tangent
     const tensor& F, const tensor& dF
 ) const
 {
-    if (!elastic_.mixed())
+    if (!elastic_.state().mixed())
     {
         return material_.tangent(F, dF);
     }
@@ -228,7 +228,7 @@ void Foam::fsbi::vertexElasticity::addCell(const label celli)
     entries_.setSize(9*n*n);
     forAll(points, i)
     {
-        F += elastic_.deformation()[points[i]]/n;
+        F += elastic_.state().deformation()[points[i]]/n;
         rows_[i] = global_[points[i]];
     }
     for (label j = 0; j < n; ++j)
@@ -267,7 +267,7 @@ void Foam::fsbi::vertexElasticity::addSupports()
     const elasticStencil& stencil = elastic_.stencil();
     for (label g = 0; g < stencil.nGhosts(); ++g)
     {
-        const auto kind = elastic_.kinds()[stencil.ghostFaces()[g]];
+        const auto kind = elastic_.boundary().kindOf(g);
         if (kind == solidBoundary::traction)
         {
             continue;
@@ -277,7 +277,8 @@ void Foam::fsbi::vertexElasticity::addSupports()
         const face& f = mesh_.faces()[stencil.face()[i]];
         const tensor stiff
         (
-            supportStiffness*elastic_.stiffness()*stencil.compact()[i]/f.size()
+            supportStiffness*elastic_.state().stiffness()
+           *stencil.compact()[i]/f.size()
            *(kind == solidBoundary::symmetry ? n*n : tensor::I)
         );
         for (const label v : f)

@@ -25,7 +25,7 @@ Description
 using namespace Foam;
 using namespace Foam::fsbi;
 
-typedef elasticOperator::formulation formulation;
+typedef constitutiveState::formulation formulation;
 
 static const boundBox cube(point(-1, -1, -1), point(1, 1, 1));
 
@@ -152,13 +152,13 @@ static void checkTangent
     );
     body.given.pressure = 0.05;
     body.given.follower = vector(0.01, 0.02, 0.03);
-    body.elastic->setStep(2);
-    tensorField& prior = body.elastic->referenceF();
+    body.elastic->state().setStep(2);
+    tensorField& prior = body.elastic->state().referenceF();
     for (label v = 0; form != formulation::totalLagrangian && v < prior.size(); ++v)
     {
         prior[v] = tensor(1.1, 0.1, 0, -0.2, 0.9, 0.1, 0, 0.1, 1.05);
     }
-    body.elastic->oldF() = prior;
+    body.elastic->state().oldF() = prior;
 
     const label n = body.x.size();
     scalarList dx(n), plus(n), minus(n), dr(n);
@@ -190,7 +190,7 @@ static void checkTangent
     c.checkClose
     (
         "derivative of " + law.substr(5, law.find(';') - 5) + ", "
-      + elasticOperator::formulationNames[form] + (mixed ? ", mixed" : ""),
+      + constitutiveState::formulationNames[form] + (mixed ? ", mixed" : ""),
         most/maxOf(dr, n), 0, 1e-7
     );
 }
@@ -237,20 +237,24 @@ static void checkDefinitions(checks& c, const fvMesh& mesh, const bool mixed)
             mesh, "type StVenantKirchhoff; E 1; nu 0.3;", allGiven, form.first,
             mixed
         );
-        body.elastic->referenceF() = prior;
-        body.elastic->oldF() = prior;
+        body.elastic->state().referenceF() = prior;
+        body.elastic->state().oldF() = prior;
         set(body, [&](const point& p){ return H & p; });
-        const label first = 3*(mesh.nCells() + body.elastic->nGhosts());
+        const label nGhosts = body.elastic->stencil().nGhosts();
+        const label first = 3*(mesh.nCells() + nGhosts);
         for (label i = first; i < body.x.size(); ++i)
         {
             body.x[i] = -lambda*form.second.second;
         }
         scalarList r(body.x.size());
         body.elastic->residual(body.x.cdata(), body.given, r.begin());
-        const tensorField stress(body.elastic->stress() - form.second.first);
+        const tensorField stress
+        (
+            body.elastic->state().stress() - form.second.first
+        );
         const std::string name
         (
-            elasticOperator::formulationNames[form.first]
+            constitutiveState::formulationNames[form.first]
           + (mixed ? ", mixed" : "")
         );
         c.checkBelow(name + ": stress on the mesh", max(mag(stress)), 1e-12);
@@ -270,7 +274,7 @@ static void checkDefinitions(checks& c, const fvMesh& mesh, const bool mixed)
         c.checkBelow
         (
             name + ": stress on the deformed body",
-            max(mag(body.elastic->vertexStress()() - Cauchy)), 1e-12
+            max(mag(body.elastic->state().CauchyStress()() - Cauchy)), 1e-12
         );
     }
 }
@@ -291,7 +295,7 @@ static scalar rotationStress
     set(body, [&](const point& p){ return q.transform(p) - p; });
     scalarList r(body.x.size());
     body.elastic->residual(body.x.cdata(), body.given, r.begin());
-    return max(mag(body.elastic->vertexStress()));
+    return max(mag(body.elastic->state().CauchyStress()));
 }
 
 
@@ -333,7 +337,7 @@ static void checkRotationSteps
         body.give(u, [](const point&, const vector&){ return vector::zero; });
         body.x = 0;
         body.solve("tolerance 1e-13;");
-        most = max(most, max(mag(body.elastic->vertexStress())));
+        most = max(most, max(mag(body.elastic->state().CauchyStress())));
         mesh->movePoints
         (
             mesh->points() + body.elastic->vertexDisplacement()
@@ -344,7 +348,7 @@ static void checkRotationSteps
     }
     c.checkClose
     (
-        elasticOperator::formulationNames[form]
+        constitutiveState::formulationNames[form]
       + ": largest stress over E in 36 steps of 10 degrees",
         most, 0, 1e-10
     );

@@ -176,7 +176,7 @@ void Foam::fsbi::loadedBody::setLaw(const dictionary& law)
         new elasticOperator
         (
             mesh_, material_(), kinds_,
-            elasticOperator::formulation::totalLagrangian, mixed_
+            constitutiveState::formulation::totalLagrangian, mixed_
         )
     );
     dictionary controls;

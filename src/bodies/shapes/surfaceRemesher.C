@@ -112,7 +112,6 @@ bool Foam::fsbi::surfaceRemesher::collapsible
             nearA.insert(p);
         }
     }
-    const point middle(project_(0.5*(points_[e.a] + points_[e.b])));
     for (const label t : around_[e.b])
     {
         for (const label p : triangles_[t])
@@ -127,12 +126,13 @@ bool Foam::fsbi::surfaceRemesher::collapsible
             }
         }
     }
-    if (both.size() != 2)
-    {
-        return false;
-    }
+    return both.size() == 2 && roomAt(e);
+}
 
-    // no triangle may turn over, no edge become too long
+
+bool Foam::fsbi::surfaceRemesher::roomAt(const sharedEdge& e) const
+{
+    const point middle(project_(0.5*(points_[e.a] + points_[e.b])));
     for (const label end : {e.a, e.b})
     {
         for (const label t : around_[end])

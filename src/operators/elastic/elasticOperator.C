@@ -8,15 +8,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "sharedVertices.H"
 #include "syncTools.H"
 
-const Foam::Enum<Foam::fsbi::elasticOperator::formulation>
-Foam::fsbi::elasticOperator::formulationNames
-({
-    { formulation::totalLagrangian, "totalLagrangian" },
-    { formulation::updatedLagrangian, "updatedLagrangian" },
-    { formulation::slowProcess, "slowProcess" },
-    { formulation::slowProcessTotalStrain, "slowProcessTotalStrain" }
-});
-
 namespace Foam
 {
 namespace fsbi
@@ -34,10 +25,6 @@ static const scalar stabilisation = 0.72;
 //  mu would buckle what it holds. None at small strain
 static const scalar strainStabilisation = 4;
 
-//- Viscous over elastic stiffness that the stabilisation, which is elastic,
-//  still holds
-static const scalar mostViscous = 50;
-
 //- Smoothing of the pressure: larger is smoother, and less local
 static const scalar smoothingScale = 1;
 
@@ -50,46 +37,30 @@ Foam::fsbi::elasticOperator::elasticOperator
     const fvMesh& mesh,
     const solidMaterial& material,
     const List<solidBoundary::kind>& kinds,
-    const formulation form,
+    const constitutiveState::formulation form,
     const bool mixed
 )
 :
     mesh_(mesh),
     material_(material),
-    formulation_(form),
     mixed_(mixed),
-    kinds_(kinds),
     stencil_(mesh, kinds),
-    deltaT_(GREAT),
-    referenceF_(mesh.nPoints(), tensor::I),
-    oldF_(mesh.nPoints(), tensor::I),
+    state_(mesh, material, form, mixed),
+    boundary_(stencil_, state_, kinds),
     jumpHistory_(stencil_.nFaces(), Zero),
     values_(stencil_.nColumns(), Zero),
-    gradient_(mesh.nPoints(), Zero),
-    F_(mesh.nPoints(), tensor::I),
-    pressure_(mixed ? mesh.nPoints() : 0, Zero),
-    stress_(mesh.nPoints(), Zero),
     stiffening_(mesh.nPoints(), Zero),
     unexplained_(stencil_.nFaces(), Zero),
-    boundaryForce_(nGhosts(), Zero),
+    boundaryForce_(stencil_.nGhosts(), Zero),
     given_(nullptr),
-    valid_(true),
     dValues_(stencil_.nColumns(), Zero),
     dGradient_(mesh.nPoints(), Zero),
-    dPressure_(pressure_.size(), Zero),
+    dPressure_(mixed ? mesh.nPoints() : 0, Zero),
     dStress_(mesh.nPoints(), Zero),
     dStiffening_(mesh.nPoints(), Zero),
-    dBoundaryForce_(nGhosts(), Zero),
-    vertexRow_(pressure_.size(), Zero)
+    dBoundaryForce_(stencil_.nGhosts(), Zero),
+    vertexRow_(dPressure_.size(), Zero)
 {
-    if (material.linear() && form != formulation::totalLagrangian)
-    {
-        FatalErrorInFunction
-            << "A linear law holds for small displacements of the stress-free"
-            << " body: region " << mesh.name() << " needs formulation"
-            << " totalLagrangian, or StVenantKirchhoff instead of "
-            << material.type() << exit(FatalError);
-    }
     setOwnedVertices();
 }
 
@@ -111,29 +82,6 @@ void Foam::fsbi::elasticOperator::update()
 }
 
 
-void Foam::fsbi::elasticOperator::setStep(const scalar deltaT)
-{
-    deltaT_ = deltaT;
-    const scalar least =
-        material_.viscosity()/(mostViscous*material_.mu());
-    if (deltaT < least)
-    {
-        FatalErrorInFunction
-            << "A step of " << deltaT << " is too short for the viscosity of"
-            << " region " << mesh_.name() << ", which needs " << least
-            << " at least (viscosity over " << mostViscous << " mu): take"
-            << " longer steps, or less viscosity" << exit(FatalError);
-    }
-}
-
-
-Foam::scalar Foam::fsbi::elasticOperator::stiffness() const
-{
-    const scalar mu = material_.mu();
-    return mixed_ ? 4*mu/3 : mu + (mu + material_.lambda())/3;
-}
-
-
 Foam::scalarList Foam::fsbi::elasticOperator::rowScale
 (
     const scalarField& mass
@@ -143,7 +91,7 @@ Foam::scalarList Foam::fsbi::elasticOperator::rowScale
     scalarField stiff(stencil_.nColumns(), Zero);
     for (label i = 0; i < stencil_.nFaces(); ++i)
     {
-        const scalar k = stiffness()*stencil_.compact()[i];
+        const scalar k = state_.stiffness()*stencil_.compact()[i];
         stiff[stencil_.owner()[i]] += k;
         stiff[stencil_.neighbour()[i]] += k;
     }
@@ -155,7 +103,7 @@ Foam::scalarList Foam::fsbi::elasticOperator::rowScale
             scale.begin() + 3*celli, 3, 1/(stiff[celli] + mass[celli])
         );
     }
-    const label firstPressure = 3*(nCells + nGhosts());
+    const label firstPressure = 3*(nCells + stencil_.nGhosts());
     forAll(ownedVertices_, i)
     {
         const scalar V = stencil_.vertexVolume()[ownedVertices_[i]];
@@ -175,7 +123,7 @@ void Foam::fsbi::elasticOperator::gather
     std::copy_n(given, nCells, values.begin());
     std::copy_n
     (
-        given + nCells, nGhosts(), values.begin() + stencil_.firstGhost()
+        given + nCells, stencil_.nGhosts(), values.begin() + stencil_.firstGhost()
     );
     stencil_.halo().fill(values.begin()->v_, 3);
 }
@@ -214,28 +162,13 @@ void Foam::fsbi::elasticOperator::setPressure
     {
         return;
     }
-    const scalar* given = x + 3*(mesh_.nCells() + nGhosts());
+    const scalar* given = x + 3*(mesh_.nCells() + stencil_.nGhosts());
     pressure = Zero;
     forAll(ownedVertices_, i)
     {
         pressure[ownedVertices_[i]] = given[i];
     }
     sharedVertices::sum<1>(mesh_, pressure.begin(), stencil_.halo().size());
-}
-
-
-Foam::tensor Foam::fsbi::elasticOperator::cellMean
-(
-    const label celli, const tensorField& vertices
-) const
-{
-    const labelList& points = mesh_.cellPoints()[celli];
-    tensor sum(Zero);
-    for (const label v : points)
-    {
-        sum += vertices[v];
-    }
-    return sum/points.size();
 }
 
 
@@ -246,15 +179,16 @@ Foam::vector Foam::fsbi::elasticOperator::unexplained
 {
     return
         values[stencil_.neighbour()[i]] - values[stencil_.owner()[i]]
-      - (faceMean(i, gradient) & (stencil_.delta()[i] - jumpHistory_[i]));
+      - (stencil_.faceMean(i, gradient) & (stencil_.delta()[i] - jumpHistory_[i]));
 }
 
 
 void Foam::fsbi::elasticOperator::setStiffening()
 {
-    forAll(F_, v)
+    forAll(stiffening_, v)
     {
-        const scalar q = mag(symm(F_[v].T() & F_[v]) - symmTensor::I);
+        const tensor& F = state_.deformation()[v];
+        const scalar q = mag(symm(F.T() & F) - symmTensor::I);
         stiffening_[v] =
             material_.linear() ? 0 : strainStabilisation*sqr(q)/(1 + q);
     }
@@ -270,11 +204,11 @@ Foam::scalar Foam::fsbi::elasticOperator::stiffeningTangent
     {
         return 0;
     }
-    const symmTensor strain(symm(F_[v].T() & F_[v]) - symmTensor::I);
+    const tensor& F = state_.deformation()[v];
+    const symmTensor strain(symm(F.T() & F) - symmTensor::I);
     const scalar q = mag(strain);
     return
-        strainStabilisation*(2 + q)/sqr(1 + q)
-       *2*(strain && symm(F_[v].T() & dF));
+        strainStabilisation*(2 + q)/sqr(1 + q)*2*(strain && symm(F.T() & dF));
 }
 
 
@@ -297,7 +231,7 @@ void Foam::fsbi::elasticOperator::addFaces
         const label N = stencil_.neighbour()[i];
         const vector T
         (
-            (faceMean(i, stress) & stencil_.area()[i])
+            (stencil_.faceMean(i, stress) & stencil_.area()[i])
           + mu*stencil_.compact()[i]*held[i]
         );
         if (i >= firstBoundary)
@@ -338,7 +272,7 @@ void Foam::fsbi::elasticOperator::addPressures
     }
     sharedVertices::sum<1>(mesh_, vertexRow_.begin(), stencil_.halo().size());
 
-    scalar* row = r + 3*(mesh_.nCells() + nGhosts());
+    scalar* row = r + 3*(mesh_.nCells() + stencil_.nGhosts());
     forAll(ownedVertices_, i)
     {
         const label v = ownedVertices_[i];
@@ -355,47 +289,47 @@ void Foam::fsbi::elasticOperator::residual
     const scalar* x, const solidBoundary& given, scalar* r
 )
 {
-    given_ = &given;
     std::fill_n(r, size(), scalar(0));
     gather(x, values_);
-    setGradient(values_, gradient_);
-    setPressure(x, pressure_);
-    setStress();
+    setGradient(values_, state_.gradient());
+    setPressure(x, state_.pressure());
+    state_.evaluate();
+    const tensorField& gradient = state_.gradient();
+    given_ = &given;
     setStiffening();
     vectorField held(stencil_.nFaces());
     forAll(held, i)
     {
-        unexplained_[i] = jumpHistory_[i] + unexplained(i, values_, gradient_);
+        unexplained_[i] = jumpHistory_[i] + unexplained(i, values_, gradient);
         held[i] =
-            (stabilisation + faceMean(i, stiffening_))*unexplained_[i];
+            (stabilisation + stencil_.faceMean(i, stiffening_))*unexplained_[i];
     }
-    addFaces(stress_, held, boundaryForce_, r);
+    addFaces(state_.stress(), held, boundaryForce_, r);
 
-    vectorField atGhosts(nGhosts());
+    vectorField atGhosts(stencil_.nGhosts());
     forAll(atGhosts, g)
     {
-        const label b = stencil_.ghostFaces()[g];
         atGhosts[g] =
-            kinds_[b] == solidBoundary::displacement
-          ? given.faces[b]
-          : load(g);
+            boundary_.kindOf(g) == solidBoundary::displacement
+          ? given.faces[stencil_.ghostFaces()[g]]
+          : boundary_.load(g, given, meanAtGhost(g, gradient));
     }
-    addBoundary(values_, gradient_, boundaryForce_, atGhosts, r);
+    boundary_.addRows(values_, gradient, boundaryForce_, atGhosts, r);
     forAll(atGhosts, g)
     {
-        if (kinds_[stencil_.ghostFaces()[g]] == solidBoundary::traction)
+        if (boundary_.kindOf(g) == solidBoundary::traction)
         {
             boundaryForce_[g] = atGhosts[g];
         }
     }
     if (mixed_)
     {
-        scalarField volume(F_.size());
-        forAll(F_, v)
+        scalarField volume(mesh_.nPoints());
+        forAll(volume, v)
         {
-            volume[v] = volumeChange(v);
+            volume[v] = state_.volumeChange(v);
         }
-        addPressures(volume, pressure_, r);
+        addPressures(volume, state_.pressure(), r);
     }
 }
 
@@ -410,33 +344,36 @@ void Foam::fsbi::elasticOperator::applyJacobian(const scalar* dx, scalar* dr) co
     forAll(dStress_, v)
     {
         const tensor& dH = dGradient_[v];
-        dStress_[v] = meshTangent(v, dH, mixed_ ? dPressure_[v] : 0);
-        dStiffening_[v] = stiffeningTangent(v, dH & referenceF_[v]);
+        dStress_[v] = state_.tangent(v, dH, mixed_ ? dPressure_[v] : 0);
+        dStiffening_[v] = stiffeningTangent(v, dH & state_.referenceF()[v]);
         if (mixed_)
         {
-            volume[v] = volumeTangent(v, dH);
+            volume[v] = state_.volumeTangent(v, dH);
         }
     }
     vectorField held(stencil_.nFaces());
     forAll(held, i)
     {
         held[i] =
-            (stabilisation + faceMean(i, stiffening_))
+            (stabilisation + stencil_.faceMean(i, stiffening_))
            *unexplained(i, dValues_, dGradient_)
-          + faceMean(i, dStiffening_)*unexplained_[i];
+          + stencil_.faceMean(i, dStiffening_)*unexplained_[i];
     }
     addFaces(dStress_, held, dBoundaryForce_, dr);
 
-    vectorField atGhosts(nGhosts(), Zero);
+    vectorField atGhosts(stencil_.nGhosts(), Zero);
     forAll(atGhosts, g)
     {
-        const label i = stencil_.firstBoundary() + g;
-        if (kindAt(i) != solidBoundary::displacement)
+        if (boundary_.kindOf(g) != solidBoundary::displacement)
         {
-            atGhosts[g] = loadTangent(g, faceMean(i, dGradient_));
+            atGhosts[g] = boundary_.loadTangent
+            (
+                g, *given_, meanAtGhost(g, state_.gradient()),
+                meanAtGhost(g, dGradient_)
+            );
         }
     }
-    addBoundary(dValues_, dGradient_, dBoundaryForce_, atGhosts, dr);
+    boundary_.addRows(dValues_, dGradient_, dBoundaryForce_, atGhosts, dr);
     if (mixed_)
     {
         addPressures(volume, dPressure_, dr);
@@ -444,9 +381,14 @@ void Foam::fsbi::elasticOperator::applyJacobian(const scalar* dx, scalar* dr) co
 }
 
 
-bool Foam::fsbi::elasticOperator::valid() const
+Foam::tmp<Foam::vectorField> Foam::fsbi::elasticOperator::boundaryForce() const
 {
-    return returnReduce(valid_, andOp<bool>());
+    auto result = tmp<vectorField>::New(boundary_.kinds().size(), Zero);
+    forAll(boundaryForce_, g)
+    {
+        result.ref()[stencil_.ghostFaces()[g]] = boundaryForce_[g];
+    }
+    return result;
 }
 
 
@@ -489,12 +431,25 @@ Foam::fsbi::elasticOperator::vertexIncrement() const
 }
 
 
+Foam::tmp<Foam::vectorField>
+Foam::fsbi::elasticOperator::boundaryDisplacement() const
+{
+    return boundary_.displacement(values_, state_.gradient());
+}
+
+
+Foam::tmp<Foam::vectorField>
+Foam::fsbi::elasticOperator::boundaryIncrement() const
+{
+    return boundary_.displacement(dValues_, dGradient_);
+}
+
+
 void Foam::fsbi::elasticOperator::endStep()
 {
-    oldF_ = F_;
-    if (formulation_ != formulation::totalLagrangian)
+    state_.endStep();
+    if (state_.carriesOn())
     {
-        referenceF_ = F_;
         jumpHistory_ = unexplained_;
     }
 }

@@ -251,3 +251,18 @@ void Foam::fsbi::elasticStencil::setWeights()
         }
     }
 }
+
+
+Foam::tensor Foam::fsbi::elasticStencil::cellMean
+(
+    const label celli, const tensorField& vertices
+) const
+{
+    const labelList& points = mesh_.cellPoints()[celli];
+    tensor sum(Zero);
+    for (const label v : points)
+    {
+        sum += vertices[v];
+    }
+    return sum/points.size();
+}

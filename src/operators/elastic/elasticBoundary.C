@@ -3,7 +3,7 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "elasticOperator.H"
+#include "elasticBoundary.H"
 #include "asVectors.H"
 
 namespace Foam
@@ -28,59 +28,72 @@ inline tensor cofactorTangent(const tensor& F, const tensor& dF)
 } // End namespace Foam
 
 
-Foam::scalar Foam::fsbi::elasticOperator::normalStiffness() const
-{
-    return 2*material_.mu() + (mixed_ ? 0 : material_.lambda());
-}
+Foam::fsbi::elasticBoundary::elasticBoundary
+(
+    const elasticStencil& stencil,
+    const constitutiveState& state,
+    const List<solidBoundary::kind>& kinds
+)
+:
+    stencil_(stencil),
+    state_(state),
+    kinds_(kinds)
+{}
 
 
-Foam::vector Foam::fsbi::elasticOperator::footToFace(const label ghost) const
+Foam::vector Foam::fsbi::elasticBoundary::footToFace(const label ghost) const
 {
     const label i = stencil_.firstBoundary() + ghost;
     const label facei = stencil_.face()[i];
     return
-        mesh_.faceCentres()[facei]
-      - mesh_.cellCentres()[stencil_.owner()[i]]
+        stencil_.mesh().faceCentres()[facei]
+      - stencil_.mesh().cellCentres()[stencil_.owner()[i]]
       - 0.5*stencil_.delta()[i];
 }
 
 
-Foam::vector Foam::fsbi::elasticOperator::load(const label ghost) const
+Foam::vector Foam::fsbi::elasticBoundary::load
+(
+    const label ghost, const solidBoundary& given, const tensor& gradient
+) const
 {
     const label i = stencil_.firstBoundary() + ghost;
     const label b = stencil_.ghostFaces()[ghost];
     const vector& S = stencil_.area()[i];
-    vector t(mag(S)*given_->faces[b]);
-    if (given_->pressure[b] != 0 || given_->follower[b] != vector::zero)
+    vector t(mag(S)*given.faces[b]);
+    if (given.pressure[b] != 0 || given.follower[b] != vector::zero)
     {
-        const vector A(cofactor(tensor::I + faceMean(i, gradient_)) & S);
-        t += mag(A)*given_->follower[b] - given_->pressure[b]*A;
+        const vector A(cofactor(tensor::I + gradient) & S);
+        t += mag(A)*given.follower[b] - given.pressure[b]*A;
     }
     return t;
 }
 
 
-Foam::vector Foam::fsbi::elasticOperator::loadTangent
+Foam::vector Foam::fsbi::elasticBoundary::loadTangent
 (
-    const label ghost, const tensor& dGradient
+    const label ghost,
+    const solidBoundary& given,
+    const tensor& gradient,
+    const tensor& dGradient
 ) const
 {
     const label i = stencil_.firstBoundary() + ghost;
     const label b = stencil_.ghostFaces()[ghost];
-    if (given_->pressure[b] == 0 && given_->follower[b] == vector::zero)
+    if (given.pressure[b] == 0 && given.follower[b] == vector::zero)
     {
         return Zero;
     }
     const vector& S = stencil_.area()[i];
-    const tensor F(tensor::I + faceMean(i, gradient_));
+    const tensor F(tensor::I + gradient);
     const vector A(cofactor(F) & S);
     const vector dA(cofactorTangent(F, dGradient) & S);
     return
-        (A & dA)/mag(A)*given_->follower[b] - given_->pressure[b]*dA;
+        (A & dA)/mag(A)*given.follower[b] - given.pressure[b]*dA;
 }
 
 
-void Foam::fsbi::elasticOperator::addBoundary
+void Foam::fsbi::elasticBoundary::addRows
 (
     const vectorField& values,
     const tensorField& gradient,
@@ -90,19 +103,19 @@ void Foam::fsbi::elasticOperator::addBoundary
 ) const
 {
     vector* row = asVectors(r);
-    vector* ghostRow = row + mesh_.nCells();
+    vector* ghostRow = row + stencil_.nCells();
     forAll(force, g)
     {
         const label i = stencil_.firstBoundary() + g;
         const label P = stencil_.owner()[i];
         const vector& uP = values[P];
         const vector& uG = values[stencil_.neighbour()[i]];
-        switch (kindAt(i))
+        switch (kindOf(g))
         {
             case solidBoundary::displacement:
             {
                 // parabola through the cell, with its slope, and the face
-                const tensor slope(cellMean(P, gradient));
+                const tensor slope(stencil_.cellMean(P, gradient));
                 const vector uFoot(uP + (slope & footToFace(g)));
                 row[P] -= force[g];
                 ghostRow[g] =
@@ -127,30 +140,19 @@ void Foam::fsbi::elasticOperator::addBoundary
 }
 
 
-Foam::tmp<Foam::vectorField> Foam::fsbi::elasticOperator::boundaryForce() const
-{
-    auto result = tmp<vectorField>::New(kinds_.size(), Zero);
-    forAll(boundaryForce_, g)
-    {
-        result.ref()[stencil_.ghostFaces()[g]] = boundaryForce_[g];
-    }
-    return result;
-}
-
-
-Foam::tmp<Foam::vectorField> Foam::fsbi::elasticOperator::atBoundary
+Foam::tmp<Foam::vectorField> Foam::fsbi::elasticBoundary::displacement
 (
     const vectorField& values, const tensorField& gradient
 ) const
 {
     auto result = tmp<vectorField>::New(kinds_.size(), Zero);
-    for (label g = 0; g < nGhosts(); ++g)
+    for (label g = 0; g < stencil_.nGhosts(); ++g)
     {
         const label i = stencil_.firstBoundary() + g;
         const label P = stencil_.owner()[i];
         const vector& uP = values[P];
         const vector& uG = values[stencil_.neighbour()[i]];
-        const tensor slope(cellMean(P, gradient));
+        const tensor slope(stencil_.cellMean(P, gradient));
         result.ref()[stencil_.ghostFaces()[g]] =
             0.25*(3*uP + uG) + (slope & footToFace(g))
           + 0.25*(slope & stencil_.delta()[i]);
@@ -159,21 +161,7 @@ Foam::tmp<Foam::vectorField> Foam::fsbi::elasticOperator::atBoundary
 }
 
 
-Foam::tmp<Foam::vectorField>
-Foam::fsbi::elasticOperator::boundaryDisplacement() const
-{
-    return atBoundary(values_, gradient_);
-}
-
-
-Foam::tmp<Foam::vectorField>
-Foam::fsbi::elasticOperator::boundaryIncrement() const
-{
-    return atBoundary(dValues_, dGradient_);
-}
-
-
-Foam::vector Foam::fsbi::elasticOperator::ghostRow
+Foam::vector Foam::fsbi::elasticBoundary::ghostRow
 (
     const label ghost, const vector& force
 ) const
@@ -182,12 +170,12 @@ Foam::vector Foam::fsbi::elasticOperator::ghostRow
     const vector n(normalised(stencil_.area()[i]));
     const vector excess(force/stencil_.compact()[i]);
     return
-        (excess - n*(n & excess))/material_.mu()
-      + n*(n & excess)/normalStiffness();
+        (excess - n*(n & excess))/state_.material().mu()
+      + n*(n & excess)/state_.normalStiffness();
 }
 
 
-Foam::vector Foam::fsbi::elasticOperator::ghostForce
+Foam::vector Foam::fsbi::elasticBoundary::ghostForce
 (
     const label ghost, const vector& row
 ) const
@@ -197,39 +185,39 @@ Foam::vector Foam::fsbi::elasticOperator::ghostForce
     return
         stencil_.compact()[i]
        *(
-            material_.mu()*(row - n*(n & row))
-          + normalStiffness()*n*(n & row)
+            state_.material().mu()*(row - n*(n & row))
+          + state_.normalStiffness()*n*(n & row)
         );
 }
 
 
-void Foam::fsbi::elasticOperator::addLoad
+void Foam::fsbi::elasticBoundary::addLoad
 (
     const vectorField& force, scalar* r
 ) const
 {
     vector* row = asVectors(r);
-    for (label g = 0; g < nGhosts(); ++g)
+    for (label g = 0; g < stencil_.nGhosts(); ++g)
     {
         const label b = stencil_.ghostFaces()[g];
         if (kinds_[b] == solidBoundary::traction)
         {
             const label i = stencil_.firstBoundary() + g;
             row[stencil_.owner()[i]] -= force[b];
-            row[mesh_.nCells() + g] -= ghostRow(g, force[b]);
+            row[stencil_.nCells() + g] -= ghostRow(g, force[b]);
         }
     }
 }
 
 
-void Foam::fsbi::elasticOperator::followCells(vector* du) const
+void Foam::fsbi::elasticBoundary::followCells(vector* du) const
 {
-    for (label g = 0; g < nGhosts(); ++g)
+    for (label g = 0; g < stencil_.nGhosts(); ++g)
     {
         const label i = stencil_.firstBoundary() + g;
         const vector& cell = du[stencil_.owner()[i]];
-        vector& ghost = du[mesh_.nCells() + g];
-        switch (kinds_[stencil_.ghostFaces()[g]])
+        vector& ghost = du[stencil_.nCells() + g];
+        switch (kindOf(g))
         {
             case solidBoundary::displacement:
                 ghost -= cell;

@@ -3,9 +3,87 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "elasticOperator.H"
+#include "constitutiveState.H"
+#include "PstreamReduceOps.H"
 
-Foam::tensor Foam::fsbi::elasticOperator::lawStress(const strained& s) const
+const Foam::Enum<Foam::fsbi::constitutiveState::formulation>
+Foam::fsbi::constitutiveState::formulationNames
+({
+    { formulation::totalLagrangian, "totalLagrangian" },
+    { formulation::updatedLagrangian, "updatedLagrangian" },
+    { formulation::slowProcess, "slowProcess" },
+    { formulation::slowProcessTotalStrain, "slowProcessTotalStrain" }
+});
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Viscous over elastic stiffness that the stabilisation, which is elastic,
+//  still holds
+static const scalar mostViscous = 50;
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::fsbi::constitutiveState::constitutiveState
+(
+    const fvMesh& mesh,
+    const solidMaterial& material,
+    const formulation form,
+    const bool mixed
+)
+:
+    region_(mesh.name()),
+    material_(material),
+    formulation_(form),
+    mixed_(mixed),
+    deltaT_(GREAT),
+    referenceF_(mesh.nPoints(), tensor::I),
+    oldF_(mesh.nPoints(), tensor::I),
+    gradient_(mesh.nPoints(), Zero),
+    F_(mesh.nPoints(), tensor::I),
+    pressure_(mixed ? mesh.nPoints() : 0, Zero),
+    stress_(mesh.nPoints(), Zero),
+    valid_(true)
+{
+    if (material.linear() && form != formulation::totalLagrangian)
+    {
+        FatalErrorInFunction
+            << "A linear law holds for small displacements of the stress-free"
+            << " body: region " << mesh.name() << " needs formulation"
+            << " totalLagrangian, or StVenantKirchhoff instead of "
+            << material.type() << exit(FatalError);
+    }
+}
+
+
+void Foam::fsbi::constitutiveState::setStep(const scalar deltaT)
+{
+    deltaT_ = deltaT;
+    const scalar least =
+        material_.viscosity()/(mostViscous*material_.mu());
+    if (deltaT < least)
+    {
+        FatalErrorInFunction
+            << "A step of " << deltaT << " is too short for the viscosity of"
+            << " region " << region_ << ", which needs " << least
+            << " at least (viscosity over " << mostViscous << " mu): take"
+            << " longer steps, or less viscosity" << exit(FatalError);
+    }
+}
+
+
+Foam::scalar Foam::fsbi::constitutiveState::stiffness() const
+{
+    const scalar mu = material_.mu();
+    return mixed_ ? 4*mu/3 : mu + (mu + material_.lambda())/3;
+}
+
+
+Foam::tensor Foam::fsbi::constitutiveState::lawStress(const strained& s) const
 {
     tensor P
     (
@@ -21,7 +99,7 @@ Foam::tensor Foam::fsbi::elasticOperator::lawStress(const strained& s) const
 }
 
 
-Foam::tensor Foam::fsbi::elasticOperator::lawTangent
+Foam::tensor Foam::fsbi::constitutiveState::lawTangent
 (
     const strained& s, const tensor& dF, const scalar dp
 ) const
@@ -45,7 +123,7 @@ Foam::tensor Foam::fsbi::elasticOperator::lawTangent
 }
 
 
-Foam::fsbi::elasticOperator::strained Foam::fsbi::elasticOperator::total
+Foam::fsbi::constitutiveState::strained Foam::fsbi::constitutiveState::total
 (
     const label v
 ) const
@@ -54,7 +132,7 @@ Foam::fsbi::elasticOperator::strained Foam::fsbi::elasticOperator::total
 }
 
 
-Foam::fsbi::elasticOperator::strained Foam::fsbi::elasticOperator::step
+Foam::fsbi::constitutiveState::strained Foam::fsbi::constitutiveState::step
 (
     const label v
 ) const
@@ -70,7 +148,7 @@ Foam::fsbi::elasticOperator::strained Foam::fsbi::elasticOperator::step
 }
 
 
-Foam::tensor Foam::fsbi::elasticOperator::linearStress(const label v) const
+Foam::tensor Foam::fsbi::constitutiveState::linearStress(const label v) const
 {
     // 1 + grad u would lose the digits of small strains
     const strained s(total(v));
@@ -82,13 +160,13 @@ Foam::tensor Foam::fsbi::elasticOperator::linearStress(const label v) const
 }
 
 
-Foam::tensor Foam::fsbi::elasticOperator::referenceStress(const label v) const
+Foam::tensor Foam::fsbi::constitutiveState::referenceStress(const label v) const
 {
     return inv(referenceF_[v]) & material_.stress(referenceF_[v]);
 }
 
 
-Foam::tensor Foam::fsbi::elasticOperator::pushForward
+Foam::tensor Foam::fsbi::constitutiveState::pushForward
 (
     const label v, const tensor& P
 ) const
@@ -105,7 +183,7 @@ Foam::tensor Foam::fsbi::elasticOperator::pushForward
 }
 
 
-Foam::tensor Foam::fsbi::elasticOperator::meshStress(const label v) const
+Foam::tensor Foam::fsbi::constitutiveState::meshStress(const label v) const
 {
     if (formulation_ == formulation::slowProcess)
     {
@@ -119,7 +197,7 @@ Foam::tensor Foam::fsbi::elasticOperator::meshStress(const label v) const
 }
 
 
-Foam::tensor Foam::fsbi::elasticOperator::meshTangent
+Foam::tensor Foam::fsbi::constitutiveState::tangent
 (
     const label v, const tensor& dH, const scalar dp
 ) const
@@ -143,7 +221,7 @@ Foam::tensor Foam::fsbi::elasticOperator::meshTangent
 }
 
 
-Foam::tensor Foam::fsbi::elasticOperator::stressOfPressure
+Foam::tensor Foam::fsbi::constitutiveState::stressOfPressure
 (
     const label v
 ) const
@@ -155,7 +233,7 @@ Foam::tensor Foam::fsbi::elasticOperator::stressOfPressure
 }
 
 
-Foam::scalar Foam::fsbi::elasticOperator::volumeChange(const label v) const
+Foam::scalar Foam::fsbi::constitutiveState::volumeChange(const label v) const
 {
     if (formulation_ == formulation::slowProcess)
     {
@@ -168,7 +246,7 @@ Foam::scalar Foam::fsbi::elasticOperator::volumeChange(const label v) const
 }
 
 
-Foam::scalar Foam::fsbi::elasticOperator::volumeTangent
+Foam::scalar Foam::fsbi::constitutiveState::volumeTangent
 (
     const label v, const tensor& dH
 ) const
@@ -180,7 +258,7 @@ Foam::scalar Foam::fsbi::elasticOperator::volumeTangent
 }
 
 
-void Foam::fsbi::elasticOperator::setStress()
+void Foam::fsbi::constitutiveState::evaluate()
 {
     valid_ = true;
     forAll(F_, v)
@@ -199,13 +277,41 @@ void Foam::fsbi::elasticOperator::setStress()
 
 
 Foam::tmp<Foam::symmTensorField>
-Foam::fsbi::elasticOperator::vertexStress() const
+Foam::fsbi::constitutiveState::CauchyStress() const
 {
-    auto result = tmp<symmTensorField>::New(mesh_.nPoints());
+    auto result = tmp<symmTensorField>::New(F_.size());
     forAll(result(), v)
     {
         result.ref()[v] =
             material_.Cauchy(stress_[v], tensor::I + gradient_[v]);
     }
     return result;
+}
+
+
+bool Foam::fsbi::constitutiveState::valid() const
+{
+    return returnReduce(valid_, andOp<bool>());
+}
+
+
+Foam::scalar Foam::fsbi::constitutiveState::normalStiffness() const
+{
+    return 2*material_.mu() + (mixed_ ? 0 : material_.lambda());
+}
+
+
+Foam::scalar Foam::fsbi::constitutiveState::compliance() const
+{
+    return 1/material_.lambda() + 1/(2*material_.mu());
+}
+
+
+void Foam::fsbi::constitutiveState::endStep()
+{
+    oldF_ = F_;
+    if (carriesOn())
+    {
+        referenceF_ = F_;
+    }
 }
