@@ -36,9 +36,9 @@ void Foam::fsbi::solidMeasures::setDeformation
     const elasticOperator& solid
 )
 {
-    const tensorField& F = solid.deformation();
+    const tensorField& F = solid.state().deformation();
     const scalar lambda = material.lambda();
-    const bool pressures = solid.mixed() && lambda > 0;
+    const bool pressures = solid.state().mixed() && lambda > 0;
     scalarField energy(F.size());
     minJ = minStretch = GREAT;
     maxStretch = 0;
@@ -46,7 +46,8 @@ void Foam::fsbi::solidMeasures::setDeformation
     {
         energy[v] =
             pressures
-          ? material.shearEnergy(F[v]) + 0.5*sqr(solid.pressure()[v])/lambda
+          ? material.shearEnergy(F[v])
+          + 0.5*sqr(solid.state().pressure()[v])/lambda
           : material.energy(F[v]);
         minJ = min(minJ, det(F[v]));
         scalar least, most;
