@@ -14,14 +14,6 @@ Foam::fsbi::loads::loads(const List<List<triFace>>& triangles)
 {}
 
 
-void Foam::fsbi::loads::clear()
-{
-    force_ = sixVector(scalar(0));
-    stiffness_ = sixMatrix(sixVector(scalar(0)));
-    springs_.clear();
-}
-
-
 void Foam::fsbi::loads::add(const spring& s)
 {
     springs_.append(s);
@@ -234,6 +226,23 @@ Foam::fsbi::loads::onBodies Foam::fsbi::loads::changes
         );
         pull(s.a, force, sum);
         pull(s.b, -force, sum);
+    }
+    return sum;
+}
+
+
+Foam::tensorField Foam::fsbi::loads::springStiffness(const label bodyi) const
+{
+    tensorField sum(triangles_[bodyi].size(), Zero);
+    for (const spring& s : springs_)
+    {
+        for (const site* end : {&s.a, &s.b})
+        {
+            if (end->body == bodyi)
+            {
+                sum[end->triangle] += s.stiffness;
+            }
+        }
     }
     return sum;
 }

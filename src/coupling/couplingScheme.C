@@ -4,7 +4,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "couplingScheme.H"
-#include "loadCoupling.H"
 
 namespace Foam
 {
@@ -37,7 +36,6 @@ Foam::fsbi::couplingScheme::couplingScheme
 (
     fluidRegion& fluid,
     UPtrList<solidRegion>& solids,
-    effectList* effects,
     const dictionary& dict
 )
 :
@@ -50,14 +48,13 @@ Foam::fsbi::couplingScheme::couplingScheme
     ),
     fluid_(fluid),
     solids_(solids),
-    effects_(effects),
     elastic_(rowsOf(solids))
 {}
 
 
 Foam::autoPtr<Foam::fsbi::couplingScheme> Foam::fsbi::couplingScheme::New
 (
-    fluidRegion& fluid, UPtrList<solidRegion>& solids, effectList* effects
+    fluidRegion& fluid, UPtrList<solidRegion>& solids
 )
 {
     const dictionary dict
@@ -71,10 +68,7 @@ Foam::autoPtr<Foam::fsbi::couplingScheme> Foam::fsbi::couplingScheme::New
             "scheme", entriesConstructorTablePtr_->sortedToc(), "monolithic"
         )
     );
-    return entriesConstructorTablePtr_->cfind(scheme)()
-    (
-        fluid, solids, effects, dict
-    );
+    return entriesConstructorTablePtr_->cfind(scheme)()(fluid, solids, dict);
 }
 
 
@@ -84,56 +78,33 @@ Foam::fsbi::outcome Foam::fsbi::couplingScheme::moveMesh()
 }
 
 
-void Foam::fsbi::couplingScheme::applyEffects()
-{
-    if (!effects_)
-    {
-        return;
-    }
-    const loads& l = effects_->apply();
-    forAll(solids_, e)
-    {
-        solids_[e].setLoad(l.whole(firstElastic() + e));
-    }
-}
-
-
 Foam::List<Foam::vectorField> Foam::fsbi::couplingScheme::effectForces
 (
     const UList<bodyRows>& rows
 ) const
 {
+    const loads::onBodies all(fluid_.effectForces(rows));
     List<vectorField> forces(solids_.size());
     forAll(forces, e)
     {
         forces[e].setSize(elastic_[e]->elastic->boundary().kinds().size());
         forces[e] = Zero;
-    }
-    if (!effects_)
-    {
-        return forces;
-    }
-    List<sixVector> velocities(rows.size());
-    forAll(rows, b)
-    {
-        velocities[b] = rows[b].velocity;
-    }
-    const loads::onBodies all
-    (
-        loadCoupling::forces(effects_->last(), rows, velocities)
-    );
-    forAll(forces, e)
-    {
-        elastic_[e]->solid.addToFaces
-        (
-            all.triangles[firstElastic() + e], forces[e]
-        );
+        if (all.triangles.size())
+        {
+            elastic_[e]->solid.addToFaces
+            (
+                all.triangles[fluid_.nRigid() + e], forces[e]
+            );
+        }
     }
     return forces;
 }
 
 
-Foam::vectorField Foam::fsbi::couplingScheme::force(const label solidi) const
+Foam::vectorField Foam::fsbi::couplingScheme::fluidForce
+(
+    const label solidi
+) const
 {
     const elasticRows& body = *elastic_[solidi];
     const vectorField onBody(body.surfaceForce(fluid_.traction()));
@@ -201,7 +172,7 @@ Foam::fsbi::outcome Foam::fsbi::couplingScheme::finish
     outcome taken;
     for (label e = 0; taken && e < solids_.size(); ++e)
     {
-        taken = solids_[e].finish(force(e), others[e]);
+        taken = solids_[e].finish(fluidForce(e), others[e]);
     }
     return taken;
 }

@@ -28,11 +28,10 @@ Foam::fsbi::monolithic::monolithic
 (
     fluidRegion& fluid,
     UPtrList<solidRegion>& solids,
-    effectList* effects,
     const dictionary& dict
 )
 :
-    couplingScheme(fluid, solids, effects, dict)
+    couplingScheme(fluid, solids, dict)
 {
     for (const solidRegion& solid : solids)
     {
@@ -64,7 +63,6 @@ Foam::fsbi::outcome Foam::fsbi::monolithic::solve(List<bodyRows>& rows)
     label iterations = 0;
     for (label i = 0; i <= maxCorrections; ++i)
     {
-        applyEffects();
         report_ = fluid_.correct(rows, elastic_, i == 0);
         iterations += report_.iterations;
         report_.iterations = iterations;

@@ -30,16 +30,16 @@ Foam::fsbi::partitioned::partitioned
 (
     fluidRegion& fluid,
     UPtrList<solidRegion>& solids,
-    effectList* effects,
     const dictionary& dict
 )
 :
-    couplingScheme(fluid, solids, effects, dict),
+    couplingScheme(fluid, solids, dict),
     passes_(passesOf(dict)),
     entries_(passes_),
     loop_(entries_),
     robin_(entries_.positive("robin", 1.5)),
-    springs_(solids.size())
+    springs_(solids.size()),
+    effects_(solids.size())
 {
     entries_.finish();
     checkParts();
@@ -63,13 +63,6 @@ Foam::dictionary Foam::fsbi::partitioned::passesOf(const dictionary& dict)
 
 void Foam::fsbi::partitioned::checkParts() const
 {
-    if (effects_)
-    {
-        FatalErrorInFunction
-            << "Effects (constant/effects) in a scene with elastic bodies need"
-            << " the scheme 'monolithic' in 'coupling' of"
-            << " system/fluid/fvSolution" << exit(FatalError);
-    }
     if (fluid_.stokes().closed())
     {
         FatalErrorInFunction
@@ -166,23 +159,38 @@ Foam::fsbi::boundarySpring Foam::fsbi::partitioned::spring
     const scalar radius = 3*gSum(mesh.V().field())/gSum(area);
 
     boundarySpring s;
-    s.stiffness = (robin_*fluid_.stokes().mu()/radius*body.rate)*area;
+    s.stiffness =
+        (robin_*fluid_.stokes().mu()/radius*body.rate)*area*tensor::I;
+    if (fluid_.acting().onElastic())
+    {
+        body.solid.addToFaces
+        (
+            fluid_.acting().springStiffness(fluid_.nRigid() + solidi),
+            s.stiffness
+        );
+    }
     vectorField d(area.size(), Zero);
     body.solid.spreadFaces
     (
         vectorField(body.split(given).faces - body.movedFaces), d
     );
-    s.load = body.surfaceForce(fluid_.traction()) + s.stiffness*d;
+    s.load =
+        body.surfaceForce(fluid_.traction()) + effects_[solidi]
+      + (s.stiffness & d);
     return s;
 }
 
 
-Foam::vectorField Foam::fsbi::partitioned::force(const label solidi) const
+Foam::vectorField Foam::fsbi::partitioned::fluidForce(const label solidi) const
 {
-    return springs_[solidi].force
+    const vectorField all
     (
-        elastic_[solidi]->elastic->boundaryDisplacement()
+        springs_[solidi].force
+        (
+            elastic_[solidi]->elastic->boundaryDisplacement()
+        )
     );
+    return all - effects_[solidi];
 }
 
 
@@ -206,9 +214,10 @@ Foam::fsbi::outcome Foam::fsbi::partitioned::solveFluid
 
 Foam::fsbi::outcome Foam::fsbi::partitioned::solveSolids
 (
-    const List<vectorField>& given
+    const List<vectorField>& given, const List<bodyRows>& rows
 )
 {
+    effects_ = effectForces(rows);
     forAll(solids_, e)
     {
         springs_[e] = spring(e, given[e]);
@@ -249,7 +258,7 @@ Foam::fsbi::outcome Foam::fsbi::partitioned::pass
     outcome solved(solveFluid(given, rows));
     if (solved)
     {
-        solved = solveSolids(given);
+        solved = solveSolids(given, rows);
     }
     Hx = surfaces();
     return solved;

@@ -20,7 +20,7 @@ Foam::fsbi::effectList::effectList
 :
     timings_(t),
     around_({time, bodies, walls, mu, unseen}),
-    loads_(triangles)
+    triangles_(triangles)
 {
     read(saved);
 }
@@ -126,20 +126,20 @@ void Foam::fsbi::effectList::tellNames(Ostream& os) const
 }
 
 
-const Foam::fsbi::loads& Foam::fsbi::effectList::apply()
+Foam::fsbi::loads Foam::fsbi::effectList::evaluate()
 {
-    loads_.clear();
+    loads acting(triangles_);
     culprit_.clear();
     for (const effect& e : effects_)
     {
         auto timer = timings_.profileMemory(e.type());
-        e.apply(loads_);
-        if (culprit_.empty() && !loads_.finite())
+        e.apply(acting);
+        if (culprit_.empty() && !acting.finite())
         {
             culprit_ = e.type();
         }
     }
-    return loads_;
+    return acting;
 }
 
 

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fluidRegion.H"
 #include "bodyCoupling.H"
+#include "loadCoupling.H"
 #include "tractionCondition.H"
 #include "syncTools.H"
 
@@ -296,10 +297,12 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
     List<sixVector>& loads
 )
 {
+    evaluateEffects({});
     auto timer = timings_.measure("solve");
-    prepare(rows);
-    solverReport report(solver_->solve(given_, rows, x_, traction_));
-
+    const solverReport report
+    (
+        solver_->solve(problem(rows, {}), x_, traction_)
+    );
     loads = bodyLoads(mesh(), rows, traction_);
     setFields(rows);
     return report;
@@ -315,7 +318,45 @@ Foam::fsbi::sixVector Foam::fsbi::fluidRegion::load(const label bodyi) const
 }
 
 
-void Foam::fsbi::fluidRegion::prepare(UList<bodyRows>& rows)
+void Foam::fsbi::fluidRegion::evaluateEffects
+(
+    const UList<elasticRows*>& elastic
+)
+{
+    if (!effects_)
+    {
+        return;
+    }
+    acting_ = effects_->evaluate();
+    forAll(elastic, e)
+    {
+        elastic[e]->spread(acting_.whole(nRigid() + e));
+    }
+}
+
+
+Foam::fsbi::loads::onBodies Foam::fsbi::fluidRegion::effectForces
+(
+    const UList<bodyRows>& rows
+) const
+{
+    if (!effects_)
+    {
+        return loads::onBodies();
+    }
+    List<sixVector> velocities(rows.size());
+    forAll(rows, b)
+    {
+        velocities[b] = rows[b].velocity;
+    }
+    return loadCoupling::forces(acting_, rows, velocities);
+}
+
+
+Foam::fsbi::flowProblem Foam::fsbi::fluidRegion::problem
+(
+    UList<bodyRows>& rows, const UList<elasticRows*>& elastic
+)
 {
     forAll(rows, b)
     {
@@ -323,10 +364,7 @@ void Foam::fsbi::fluidRegion::prepare(UList<bodyRows>& rows)
         rows[b].vertices = bodyVertices_[b];
     }
     conditions_.evaluate(U_(), stokes(), given_);
-    if (loads_)
-    {
-        solver_->setLoads(*loads_);
-    }
+    return {given_, rows, elastic, acting_};
 }
 
 

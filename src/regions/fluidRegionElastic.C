@@ -66,14 +66,15 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
     const UList<vectorField>& displacements
 )
 {
+    evaluateEffects(elastic);
     auto timer = timings_.measure("solve");
-    prepare(rows);
+    const flowProblem wanted(problem(rows, {}));
     linkSurfaces(elastic);
     forAll(elastic, e)
     {
         elastic[e]->setVelocity(elastic[e]->split(displacements[e]), given_);
     }
-    return solver_->solve(given_, rows, x_, traction_);
+    return solver_->solve(wanted, x_, traction_);
 }
 
 
@@ -84,13 +85,10 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::correct
     const bool first
 )
 {
+    evaluateEffects(elastic);
     auto timer = timings_.measure("solve");
-    prepare(rows);
     linkSurfaces(elastic);
-    return solver_->correct
-    (
-        given_, rows, elastic, first, x_, traction_
-    );
+    return solver_->correct(problem(rows, elastic), first, x_, traction_);
 }
 
 

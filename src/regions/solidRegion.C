@@ -124,7 +124,7 @@ Foam::fsbi::outcome Foam::fsbi::solidRegion::solve
     }
     report = solver_->solve
     (
-        {conditions_->given(), rows_.force, rows_.mass, &spring}, x_
+        {conditions_->given(), rows_.cellForce(), rows_.mass, &spring}, x_
     );
     return judged(report);
 }
@@ -151,6 +151,8 @@ void Foam::fsbi::solidRegion::setRows()
     conditions_->evaluate(movedFaces_);
     rows_.mass = inertia();
     rows_.force = loads();
+    rows_.acting.clear();
+    rows_.centres = centres_ + movedCells_;
     if (rows_.tethered())
     {
         rows_.place = tethered_ - gSum(vectorField(rows_.share*movedCells_));
@@ -175,22 +177,6 @@ Foam::fsbi::outcome Foam::fsbi::solidRegion::finish
     fluidForce_ = gSum(fluid);
     conditions_->addForce(fluid + effects);
     return take();
-}
-
-
-void Foam::fsbi::solidRegion::setLoad(const sixVector& load)
-{
-    if (load == sixVector(scalar(0)))
-    {
-        return;
-    }
-    const vectorField x(centres_ + movedCells_ + cells());
-    const scalar V = gSum(volumes_);
-    const vectorField r(x - gSum(volumes_*x)/V);
-    const symmTensor J(gSum(volumes_*(magSqr(r)*symmTensor::I - sqr(r))));
-    rows_.force =
-        loads()
-      + volumes_*(linear(load)/V + ((inv(J) & angular(load)) ^ r));
 }
 
 

@@ -146,6 +146,7 @@ void Foam::fsbi::solidRegion::create(const bool saved)
         rows_.elastic = &elastic_();
         rows_.given = &conditions_->given();
         rows_.x = &x_;
+        rows_.volumes = volumes_;
         setMoved();
     }
 }

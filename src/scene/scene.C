@@ -5,7 +5,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "scene.H"
 #include "Time.H"
-#include "loadCoupling.H"
 #include "proximity.H"
 #include "untrapped.H"
 
@@ -55,10 +54,6 @@ Foam::fsbi::outcome Foam::fsbi::scene::solveFluid()
     List<bodyRows> rows(bodyRowsNow());
     List<sixVector> loads;
     const label before = report_.iterations;
-    if (effects_)
-    {
-        effects_->apply();
-    }
     report_ = fluid_->solve(rows, loads);
     report_.iterations += before;
     bool finite = std::isfinite(report_.residual);
@@ -99,7 +94,7 @@ void Foam::fsbi::scene::take
     forAll(rows, b)
     {
         bodies_[b].set(rows[b].velocity, loads[b]);
-        if (effects_ && effects_->last().stiff(b))
+        if (effects_ && fluid_->acting().stiff(b))
         {
             bodies_[b].settle();
         }
@@ -113,15 +108,7 @@ void Foam::fsbi::scene::takeEffects(const UList<bodyRows>& rows)
     {
         return;
     }
-    List<sixVector> velocities(rows.size());
-    forAll(rows, b)
-    {
-        velocities[b] = rows[b].velocity;
-    }
-    const loads::onBodies acted
-    (
-        loadCoupling::forces(effects_->last(), rows, velocities)
-    );
+    const loads::onBodies acted(fluid_->effectForces(rows));
     effectLoads_ = acted.whole;
     forAll(solids_, e)
     {
@@ -175,7 +162,10 @@ Foam::fsbi::outcome Foam::fsbi::scene::solveCoupled()
     const outcome agreed(coupling_->advance(rows, loads));
     report_ = coupling_->report();
     report_.iterations += before;
-    take(rows, loads);
+    if (agreed)
+    {
+        take(rows, loads);
+    }
     return agreed;
 }
 

@@ -33,7 +33,7 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
     createEffects(saved.subOrEmptyDict("effects"));
     if (fluid_ && solids_.size())
     {
-        coupling_ = couplingScheme::New(fluid_(), solids_, effects_.get());
+        coupling_ = couplingScheme::New(fluid_(), solids_);
     }
     listParticipants();
     if (coupling_ && saved.found("coupling"))
@@ -114,7 +114,7 @@ void Foam::fsbi::scene::createEffects(const dictionary& saved)
             fluid_->mu(), timings_, saved
         )
     );
-    fluid_->setLoads(effects_->last());
+    fluid_->setEffects(effects_());
 }
 
 

@@ -11,6 +11,27 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "zeroGradientFvPatchFields.H"
 #include "fixedValueFvPatchFields.H"
 
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Fatal if more than the fluid acts on the bodies
+static void checkUnaided(const loads& acting)
+{
+    if (!acting.empty())
+    {
+        FatalErrorInFunction
+            << "Effects that act on bodies (constant/effects) need method"
+            << " 'coupled' in 'coupling' of system/fluid/fvSolution"
+            << exit(FatalError);
+    }
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
 Foam::fsbi::SIMPLEC::SIMPLEC
 (
     const fvMesh& mesh,
@@ -311,12 +332,13 @@ Foam::scalar Foam::fsbi::SIMPLEC::norm
 
 Foam::fsbi::solverReport Foam::fsbi::SIMPLEC::solve
 (
-    const boundaryValues& given,
-    UList<bodyRows>& bodies,
-    scalarList& x,
-    vectorField& traction
+    const flowProblem& problem, scalarList& x, vectorField& traction
 )
 {
+    checkUnaided(problem.acting);
+    const boundaryValues& given = problem.given;
+    UList<bodyRows>& bodies = problem.bodies;
+
     // silent linear solvers: their number would bury the run's own lines
     const int shown = SolverPerformance<scalar>::debug;
     SolverPerformance<scalar>::debug = 0;

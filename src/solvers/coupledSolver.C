@@ -86,16 +86,10 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::improve(scalarList& x)
 
 Foam::fsbi::solverReport Foam::fsbi::coupledSolver::solve
 (
-    const boundaryValues& given,
-    UList<bodyRows>& bodies,
-    scalarList& cells,
-    vectorField& traction
+    const flowProblem& problem, scalarList& cells, vectorField& traction
 )
 {
-    solverReport report
-    (
-        correct(given, bodies, UList<elasticRows*>(), true, cells, traction)
-    );
+    solverReport report(correct(problem, true, cells, traction));
     report.corrections = 1;
     return report;
 }
@@ -103,15 +97,13 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::solve
 
 Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
 (
-    const boundaryValues& given,
-    UList<bodyRows>& bodies,
-    const UList<elasticRows*>& elastic,
+    const flowProblem& problem,
     const bool first,
     scalarList& cells,
     vectorField& traction
 )
 {
-    const bool stale = system_->set(given, bodies, elastic, loads_);
+    const bool stale = system_->set(problem);
     if (!newton_)
     {
         createNewton();

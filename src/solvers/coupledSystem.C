@@ -32,32 +32,28 @@ Foam::fsbi::coupledSystem::coupledSystem
 {}
 
 
-bool Foam::fsbi::coupledSystem::set
-(
-    const boundaryValues& given,
-    UList<bodyRows>& bodies,
-    const UList<elasticRows*>& elastic,
-    const loads* acting
-)
+bool Foam::fsbi::coupledSystem::set(const flowProblem& problem)
 {
-    given_ = &given;
-    bodies_ = &bodies;
-    elastic_ = elastic;
-    loads_ = acting;
-    values_ = given;
+    given_ = &problem.given;
+    bodies_ = &problem.bodies;
+    elastic_ = problem.elastic;
+    values_ = problem.given;
     const stokesOperator& stokes = momentum_.viscous();
-    scales_ = rowScales(momentum_, bodies, elastic);
+    scales_ = rowScales(momentum_, problem.bodies, elastic_);
     layout_ =
         systemLayout
         (
-            stokes.stencil().mesh().nCells(), elastic_, bodies.size()
+            stokes.stencil().mesh().nCells(), elastic_, problem.bodies.size()
         );
     effects_.clear();
-    if (loads_ && !loads_->empty())
+    if (!problem.acting.empty())
     {
         effects_.reset
         (
-            new loadCoupling(*loads_, bodies, scales_.resistance())
+            new loadCoupling
+            (
+                problem.acting, problem.bodies, scales_.resistance()
+            )
         );
     }
     return setSprings();
@@ -71,9 +67,10 @@ bool Foam::fsbi::coupledSystem::setSprings()
     {
         elasticRows& body = *elastic_[e];
         body.springs = scalarField();
-        if (effects_ && effects_->onElastic())
+        if (effects_ && effects_->acting().onElastic())
         {
-            body.springs = loads_->springConstants(bodies_->size() + e);
+            body.springs =
+                effects_->acting().springConstants(bodies_->size() + e);
             springs += sum(body.springs);
         }
         rate += body.rate;

@@ -6,10 +6,30 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "elasticRows.H"
 #include "massRows.H"
 
+void Foam::fsbi::elasticRows::spread(const sixVector& load)
+{
+    acting.clear();
+    if (load == sixVector(scalar(0)))
+    {
+        return;
+    }
+    vectorField r(centres.size());
+    forAll(r, celli)
+    {
+        const scalar* u = x->cdata() + 3*celli;
+        r[celli] = centres[celli] + vector(u[0], u[1], u[2]);
+    }
+    const scalar V = gSum(volumes);
+    r -= gSum(volumes*r)/V;
+    const symmTensor J(gSum(volumes*(magSqr(r)*symmTensor::I - sqr(r))));
+    acting = volumes*(linear(load)/V + ((inv(J) & angular(load)) ^ r));
+}
+
+
 void Foam::fsbi::elasticRows::residual(const scalar* x, scalar* r) const
 {
     elastic->residual(x, *given, r);
-    addMassAndForce(mass, force, x, r);
+    addMassAndForce(mass, cellForce(), x, r);
 }
 
 

@@ -41,26 +41,9 @@ void Foam::fsbi::fluidSolver::knowOthers(const checkedDictionary& entries)
 }
 
 
-void Foam::fsbi::fluidSolver::setLoads(const loads& l)
-{
-    if (!l.empty())
-    {
-        FatalErrorInFunction
-            << "Effects that act on bodies (constant/effects) need method"
-            << " 'coupled' in 'coupling' of system/fluid/fvSolution"
-            << exit(FatalError);
-    }
-}
-
-
 Foam::fsbi::solverReport Foam::fsbi::fluidSolver::correct
 (
-    const boundaryValues&,
-    UList<bodyRows>&,
-    const UList<elasticRows*>&,
-    const bool,
-    scalarList&,
-    vectorField&
+    const flowProblem&, const bool, scalarList&, vectorField&
 )
 {
     FatalErrorInFunction

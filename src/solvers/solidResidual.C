@@ -32,7 +32,8 @@ void Foam::fsbi::solidResidual::setStiffness()
         const label i = stencil.firstBoundary() + g;
         // in a row with half of the cell
         const scalar k = 2*elastic_.state().stiffness()*stencil.compact()[i];
-        const scalar spring = problem_->spring->stiffness[b];
+        const scalar spring =
+            max(tr(problem_->spring->stiffness[b])/3, scalar(0));
         if (elastic_.boundary().kinds()[b] == solidBoundary::traction)
         {
             stiffness_[stencil.owner()[i]] += k*spring/(k + spring);
@@ -122,7 +123,7 @@ void Foam::fsbi::solidResidual::finishJacobian
     {
         elastic_.boundary().addLoad
         (
-            -problem_->spring->stiffness*elastic_.boundaryIncrement(), dr
+            -(problem_->spring->stiffness & elastic_.boundaryIncrement()), dr
         );
     }
     addMass(problem_->mass, dx, dr);

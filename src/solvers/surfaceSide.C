@@ -65,18 +65,6 @@ void Foam::fsbi::surfaceSide::spreadFaces
 }
 
 
-void Foam::fsbi::surfaceSide::addToFaces
-(
-    const vectorField& numbered, vectorField& values
-) const
-{
-    forAll(faces, i)
-    {
-        values[faces[i]] += numbered[faceNumbers[i]];
-    }
-}
-
-
 void Foam::fsbi::surfaceSide::spreadPoints
 (
     const vectorField& numbered, vectorField& values

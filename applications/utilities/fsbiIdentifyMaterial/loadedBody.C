@@ -193,7 +193,10 @@ bool Foam::fsbi::loadedBody::solve(const scalar part, const vectorField& more)
     given.faces = part*given_;
     given.follower.setSize(kinds_.size(), Zero);
     given.pressure.setSize(kinds_.size(), Zero);
-    boundarySpring spring{stiffness_*areas_, vectorField(kinds_.size(), Zero)};
+    boundarySpring spring
+    {
+        (stiffness_*areas_)*tensor::I, vectorField(kinds_.size(), Zero)
+    };
     forAll(kinds_, i)
     {
         if (kinds_[i] == solidBoundary::traction)
@@ -202,10 +205,10 @@ bool Foam::fsbi::loadedBody::solve(const scalar part, const vectorField& more)
         }
         else
         {
-            spring.stiffness[i] = 0;
+            spring.stiffness[i] = Zero;
         }
     }
-    spring.load = part*(force_ + spring.stiffness*given_) + more;
+    spring.load = part*(force_ + (spring.stiffness & given_)) + more;
     const vector sum(held_ ? vector(Zero) : Foam::sum(part*force_));
     const scalarField volumes(mesh_.cellVolumes());
     const vectorField volumeForce((-sum/Foam::sum(volumes))*volumes);
