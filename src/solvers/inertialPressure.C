@@ -19,12 +19,12 @@ Foam::fsbi::inertialPressure::inertialPressure
     const scalarField& V = mesh.cellVolumes();
     const label n = V.size();
     const globalIndex rows(n);
-    const scalarField rate(momentum.massRate()/V);
+    const scalar slowest = sqr(constant::mathematical::pi/mag(mesh.bounds().span()));
+    // where terms leave cells without a rate, viscosity alone counts, which has
+    // one on every scale
+    const scalarField rate(max(momentum.massRate()/V, stokes_.mu()*slowest));
     const scalarField D(V/scalarField(stokes_.diagonal()));
-
-    const scalar longest = mag(mesh.bounds().span());
-    const scalar least =
-        stokes_.closed() ? sqr(constant::mathematical::pi/longest) : 0;
+    const scalar least = stokes_.closed() ? slowest : 0;
     compactEntries entries;
     addLaplacian(stokes_.stencil(), 1/rate, rows, entries);
     addOpenPatches(1/rate, rows, entries);
