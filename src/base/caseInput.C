@@ -53,6 +53,9 @@ static bool isRegion(const fileName& folder)
 } // End namespace Foam
 
 
+const Foam::word Foam::fsbi::caseInput::fluid("fluid");
+
+
 void Foam::fsbi::caseInput::require
 (
     const fileName& file, const char* what
@@ -158,11 +161,11 @@ void Foam::fsbi::caseInput::checkFluid() const
 {
     for (const char* top : {"constant", "system", "0"})
     {
-        if (isDir(path_/top/"fluid"))
+        if (isDir(path_/top/fluid))
         {
             require
             (
-                "constant/fluid/material",
+                "constant"/fluid/"material",
                 "it holds the viscosity of the fluid, which rigid and rolling"
                 " bodies need. A scene of elastic bodies without fluid has no"
                 " folders constant/fluid, system/fluid and 0/fluid"

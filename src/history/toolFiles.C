@@ -65,10 +65,10 @@ void Foam::fsbi::writeToolFiles(const Time& time, const scene& scene)
             writeEmptyMesh(time.path()/time.constant(), mesh);
         }
     };
-    const wordList fluids(scene.hasFluid() ? 1 : 0, word("fluid"));
-    wordList solids;
+    wordList fluids, solids;
     if (scene.hasFluid())
     {
+        fluids.append(scene.fluid().name());
         mark(scene.fluid().mesh());
     }
     for (const solidRegion& solid : scene.solids())

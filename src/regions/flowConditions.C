@@ -41,7 +41,7 @@ Foam::fsbi::flowConditions::flowConditions
 
 void Foam::fsbi::flowConditions::read()
 {
-    dictionary dict(startField(time_, "fluid", "U", dimVelocity));
+    dictionary dict(startField(time_, mesh_.name(), "U", dimVelocity));
     checkPatches(dict, mesh_.mesh());
     checkBodies(dict.subDict("boundaryField"));
 
@@ -174,8 +174,8 @@ void Foam::fsbi::flowConditions::check(const volVectorField& U)
         if (!pf.fixesValue() && !pf.coupled())
         {
             FatalErrorInFunction
-                << "Patch '" << pf.patch().name() << "' of field U in region"
-                << " fluid has the boundary condition '" << pf.type()
+                << "Patch '" << pf.patch().name() << "' of field U in region "
+                << U.mesh().name() << " has the boundary condition '" << pf.type()
                 << "'; give a velocity (fixedValue, uniformFixedValue,"
                 << " linearShear, Poiseuille, StokesSphere), 'traction' or"
                 << " 'cyclic'" << exit(FatalError);
@@ -205,8 +205,8 @@ Foam::boolList Foam::fsbi::flowConditions::velocityGiven
     if (!any)
     {
         FatalErrorInFunction
-            << "No patch of field U in region fluid gives a velocity:"
-            << " the flow is not determined" << exit(FatalError);
+            << "No patch of field U in region " << mesh_.name()
+            << " gives a velocity: the flow is not determined" << exit(FatalError);
     }
     return given;
 }
@@ -453,8 +453,8 @@ void Foam::fsbi::flowConditions::balanceFluxes
     if (mag(net) > acceptedImbalance*gross)
     {
         FatalErrorInFunction
-            << "The velocities given on the boundary of region fluid do not"
-            << " balance: net outflow " << net << " of " << gross
+            << "The velocities given on the boundary of region "
+            << mesh_.name() << " do not balance: net outflow " << net << " of " << gross
             << ". Correct field U, or give one patch the condition 'traction'"
             << exit(FatalError);
     }

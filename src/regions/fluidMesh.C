@@ -36,12 +36,14 @@ static void checkDomain(const polyMesh& domain)
 Foam::fsbi::fluidMesh::fluidMesh
 (
     const Time& time,
+    const word& name,
     const UPtrList<immersedBody>& bodies,
     timings& t,
     const dictionary& saved
 )
 :
     time_(time),
+    name_(name),
     bodies_(bodies),
     timings_(t),
     remeshDict_
@@ -68,7 +70,7 @@ Foam::fsbi::fluidMesh::fluidMesh
         restore(saved);
         return;
     }
-    if (hasRegionMesh(time_, "fluid"))
+    if (hasRegionMesh(time_, name_))
     {
         readMesh(time_.constant());
     }
@@ -114,13 +116,13 @@ void Foam::fsbi::fluidMesh::readFollow()
 
 void Foam::fsbi::fluidMesh::readMesh(const word& instance)
 {
-    mesh_ = readRegionMesh(time_, "fluid", instance);
+    mesh_ = readRegionMesh(time_, name_, instance);
     for (const word& name : namesOf(bodies_))
     {
         if (mesh().boundaryMesh().findPatchID(name) < 0)
         {
             FatalErrorInFunction
-                << "The mesh of region fluid has no patch for body '" << name
+                << "The mesh of region " << name_ << " has no patch for body '" << name
                 << "'; its patches are "
                 << flatOutput(mesh().boundaryMesh().names())
                 << exit(FatalError);
@@ -194,7 +196,7 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::generate
     }
     else
     {
-        mesh_ = makeRegionMesh(time_, "fluid", whole);
+        mesh_ = makeRegionMesh(time_, name_, whole);
     }
     ++generation_;
     return outcome();
@@ -260,7 +262,7 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::usable() const
       ? outcome()
       : outcome::failed
         (
-            "a cell of the fluid has the volume " + name(smallest)
+            "a cell of the fluid has the volume " + Foam::name(smallest)
           + narrowGap()
         );
 }

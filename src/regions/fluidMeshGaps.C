@@ -41,7 +41,7 @@ Foam::string Foam::fsbi::fluidMesh::narrowGap() const
         return leaving;
     }
     return
-        " (bodies and walls are as near as " + name(gap)
+        " (bodies and walls are as near as " + Foam::name(gap)
       + ": that needs a smaller 'size' of the shapes in constant/bodies, or an"
         " effect 'repulsion' that keeps them apart)";
 }

@@ -12,6 +12,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Foam::fsbi::fluidRegion::fluidRegion
 (
     const Time& time,
+    const word& name,
     const UPtrList<rigidBody>& rigidBodies,
     const UPtrList<immersedBody>& bodies,
     timings& t,
@@ -21,8 +22,8 @@ Foam::fsbi::fluidRegion::fluidRegion
     time_(time),
     timings_(t),
     rigidBodies_(rigidBodies),
-    material_(readMaterial(time)),
-    mesh_(time, bodies, t, savedMesh),
+    material_(readMaterial(time, name)),
+    mesh_(time, name, bodies, t, savedMesh),
     conditions_(time, mesh_)
 {
     checkedDictionary::checkBlocks(mesh().solutionDict(), {"coupling"});
@@ -57,13 +58,16 @@ Foam::fsbi::fluidRegion::fluidRegion
 }
 
 
-Foam::dictionary Foam::fsbi::fluidRegion::readMaterial(const Time& time)
+Foam::dictionary Foam::fsbi::fluidRegion::readMaterial
+(
+    const Time& time, const word& region
+)
 {
     const IOdictionary material
     (
         IOobject
         (
-            "material", time.caseConstant(), "fluid", time,
+            "material", time.caseConstant(), region, time,
             IOobject::MUST_READ, IOobject::NO_WRITE, false
         )
     );

@@ -57,7 +57,13 @@ void Foam::fsbi::scene::createFluid(const dictionary& saved)
     {
         immersed_.append(&body);
     }
-    fluid_.reset(new fluidRegion(time_, bodies_, immersed_, timings_, saved));
+    fluid_.reset
+    (
+        new fluidRegion
+        (
+            time_, caseInput::fluid, bodies_, immersed_, timings_, saved
+        )
+    );
 }
 
 
@@ -82,7 +88,11 @@ void Foam::fsbi::scene::listParticipants()
 
 void Foam::fsbi::scene::tellUnread() const
 {
-    wordList regions(fluid_ ? 1 : 0, word("fluid"));
+    wordList regions;
+    if (fluid_)
+    {
+        regions.append(fluid_->name());
+    }
     for (const solidRegion& solid : solids_)
     {
         regions.append(solid.name());
@@ -142,7 +152,7 @@ void Foam::fsbi::scene::checkEffects() const
 bool Foam::fsbi::scene::fluidGiven() const
 {
     bool given =
-        isFile(time_.globalPath()/time_.constant()/"fluid"/"material");
+        isFile(time_.globalPath()/time_.constant()/caseInput::fluid/"material");
     Pstream::scatter(given);
     return given;
 }
@@ -185,7 +195,7 @@ void Foam::fsbi::scene::checkRegions() const
     wordHashSet fluids, solids;
     if (fluidGiven())
     {
-        fluids.insert("fluid");
+        fluids.insert(caseInput::fluid);
     }
     for (const solidRegion& solid : solids_)
     {
