@@ -163,6 +163,15 @@ void Foam::fsbi::fluidRegion::linkBodies()
             vertices[bodyOf[wall[i]]].append(i);
         }
     }
+    forAll(stokes().wallEdges(), i)
+    {
+        const edge& e = stokes().wallEdges()[i];
+        const label b = bodyOf[e.start()];
+        if (b >= 0 && bodyOf[e.end()] == b)
+        {
+            vertices[b].append(wall.size() + i);
+        }
+    }
     forAll(vertices, b)
     {
         bodyVertices_[b].transfer(vertices[b]);
@@ -178,6 +187,13 @@ void Foam::fsbi::fluidRegion::createOperators()
     checkIntegrators(coupling);
     const checkedDictionary entries(coupling);
     stokesOperator::schemes schemes;
+    schemes.order = entries.count("order", schemes.order);
+    if (schemes.order != 2 && schemes.order != 4)
+    {
+        FatalIOErrorInFunction(coupling)
+            << "Entry 'order' is " << schemes.order
+            << "; valid choices are (2 4)" << exit(FatalIOError);
+    }
     schemes.linearFaces =
         entries.choice
         (

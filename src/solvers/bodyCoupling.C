@@ -26,7 +26,7 @@ void Foam::fsbi::setBodyVelocities
         }
         for (const label i : body.vertices)
         {
-            const point& x = mesh.points()[stokes.wallVertices()[i]];
+            const point& x = stokes.wallPoints()[i];
             values.vertices[i] = V + (omega ^ (x - body.centre));
         }
     }
