@@ -60,7 +60,7 @@ Foam::autoPtr<Foam::fsbi::stokesOperator> Foam::fsbi::stokesOperator::New
     {
         return autoPtr<stokesOperator>
         (
-            new fourthOrderStokes(mesh, mu, velocityGiven)
+            new fourthOrderStokes(mesh, mu, velocityGiven, s)
         );
     }
     return autoPtr<stokesOperator>

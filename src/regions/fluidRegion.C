@@ -206,9 +206,34 @@ void Foam::fsbi::fluidRegion::createOperators()
             "gradients", stokesOperator::gradientSchemes.names(), "vertex"
         )
     ];
+    schemes.onSurface = surfaceOfBodies();
     momentum_->set(conditions_.velocityGiven(U_()), schemes);
     linkBodies();
     createSolver();
+}
+
+
+std::function<Foam::point(const Foam::label, const Foam::point&)>
+Foam::fsbi::fluidRegion::surfaceOfBodies() const
+{
+    // points of bodies were moved outward for the sake of the volume
+    labelList bodyOf(mesh().boundaryMesh().size(), -1);
+    scalarList scale(mesh_.bodies().size());
+    forAll(mesh_.bodies(), b)
+    {
+        bodyOf[mesh_.bodyPatch(b)] = b;
+        scale[b] = mesh_.bodies()[b].meshedSurface().scale();
+    }
+    return [=](const label patchi, const point& x)
+    {
+        const label b = bodyOf[patchi];
+        if (b < 0 || scale[b] == 1)
+        {
+            return x;
+        }
+        const point centre(mesh_.bodies()[b].placed().centre);
+        return point(centre + (x - centre)/scale[b]);
+    };
 }
 
 

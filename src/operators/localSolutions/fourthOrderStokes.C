@@ -4,22 +4,73 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fourthOrderStokes.H"
+#include "processorPolyPatch.H"
+#include "syncTools.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Fluxes through the inner faces, [momentum, mass], added to r
+fsbiWide static void addFluxes
+(
+    const faceSolutions& faces, const meshStencil& stencil,
+    const labelList& innerFaces, const label nCells, const scalar mu,
+    const scalar* stabilisation, scalar* r
+)
+{
+    const label* owner = stencil.owner().cdata();
+    const label* neighbour = stencil.neighbour().cdata();
+    const vector* fromOwner = stencil.fromOwner().cdata();
+    const vector* fromNeighbour = stencil.fromNeighbour().cdata();
+    const label nFaces = stencil.owner().size();
+    for (label i = 0; i < nFaces; ++i)
+    {
+        const label facei = innerFaces[i];
+        const vector& S = faces.areas[facei];
+        const scalar k = magSqr(S)/(S & (fromOwner[i] - fromNeighbour[i]));
+        const label P = owner[i], N = neighbour[i];
+        const scalar D = 0.5*(stabilisation[P] + stabilisation[N]);
+        fourNumbers mean, slope, eP, eN;
+        faces.evaluate(facei, mean, slope);
+        faces.setDefect(facei, &faceCorner::owner, eP);
+        faces.setDefect(facei, &faceCorner::neighbour, eN);
+        mean += 0.5*(eP + eN);
+        slope += k*(eN - eP);
+
+        const fourNumbers area = {S.x(), S.y(), S.z(), 0};
+        fourNumbers flux = mu*(mean[3]*area - slope);
+        flux[3] = (velocity(mean) & S) - D*mu*k*(eN[3] - eP[3]);
+        four(r + 4*P) += flux;
+        if (N < nCells)
+        {
+            four(r + 4*N) -= flux;
+        }
+    }
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
 
 Foam::fsbi::fourthOrderStokes::fourthOrderStokes
 (
-    const fvMesh& mesh, const scalar mu, const boolList& velocityGiven
+    const fvMesh& mesh,
+    const scalar mu,
+    const boolList& velocityGiven,
+    const schemes& s
 )
 :
     stokesOperator(mesh, mu, velocityGiven),
-    fits_(mesh, velocityGiven_, wallVertices_)
+    fits_(mesh, velocityGiven_, wallVertices_, s.onSurface)
 {
     check();
     setCorners();
     wallEdges_ = fits_.wall().edges();
-    wallPoints_ = fits_.wall().points();
-    values_.setSize(4*mesh_.nCells());
+    wallPoints_ = fits_.wall().ownPoints();
     coefficients_.setSize(stokesPolynomials::nCoefficients*mesh_.nPoints());
-    defects_.setSize(4*fits_.cellVertex().size());
+    defects_.setSize(4*fits_.nPlaces());
     wallFlux_.setSize(nBoundaryFaces());
     setFaceMoments();
     setBalanced();
@@ -29,15 +80,14 @@ Foam::fsbi::fourthOrderStokes::fourthOrderStokes
 void Foam::fsbi::fourthOrderStokes::check() const
 {
     const char* missing = nullptr;
-    if (UPstream::parRun())
+    for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        missing = "several processors";
+        if (pp.coupled() && !isA<processorPolyPatch>(pp))
+        {
+            missing = "cyclic patches";
+        }
     }
-    else if (stencil_.halo().size())
-    {
-        missing = "cyclic patches";
-    }
-    else if (!closed())
+    if (!closed())
     {
         missing = "patches of given traction";
     }
@@ -54,26 +104,36 @@ void Foam::fsbi::fourthOrderStokes::check() const
 void Foam::fsbi::fourthOrderStokes::setCorners()
 {
     const label nInternal = mesh_.nInternalFaces();
-    const auto place = [&](const label celli, const label v)
+    labelList number(mesh_.nCells());
+    forAll(number, celli)
     {
-        label k = 4*celli;
-        while (fits_.cellVertex()[k] != v)
-        {
-            ++k;
-        }
-        return k;
-    };
+        number[celli] = fits_.toGlobal(celli);
+    }
+    labelList behind;
+    syncTools::swapBoundaryCellList(mesh_, number, behind);
+    innerFaces_ = identity(nInternal);
+    for (const label patchi : stencil_.halo().patches())
+    {
+        const polyPatch& pp = mesh_.boundaryMesh()[patchi];
+        innerFaces_.append(identity(pp.size(), pp.start()));
+    }
+    boolList inner(mesh_.nFaces(), false);
+    UIndirectList<bool>(inner, innerFaces_) = true;
+
     corners_.setSize(mesh_.nFaces());
     forAll(corners_, facei)
     {
+        const label P = number[mesh_.faceOwner()[facei]];
+        const label N =
+            facei < nInternal
+          ? number[mesh_.faceNeighbour()[facei]]
+          : behind[facei - nInternal];
         forAll(corners_[facei], k)
         {
             const label v = mesh_.faces()[facei][k];
             corners_[facei][k] =
             {
-                v,
-                place(mesh_.faceOwner()[facei], v),
-                facei < nInternal ? place(mesh_.faceNeighbour()[facei], v) : -1
+                v, fits_.place(v, P), inner[facei] ? fits_.place(v, N) : -1
             };
         }
     }
@@ -100,86 +160,20 @@ void Foam::fsbi::fourthOrderStokes::update()
     stencil_.update();
     setStabilisation();
     fits_.update();
-    wallPoints_ = fits_.wall().points();
+    wallPoints_ = fits_.wall().ownPoints();
     setFaceMoments();
 }
 
 
-void Foam::fsbi::fourthOrderStokes::evaluate
-(
-    const label facei, faceValue& q
-) const
+Foam::fsbi::faceSolutions Foam::fsbi::fourthOrderStokes::faces() const
 {
-    const point& Cf = mesh_.faceCentres()[facei];
-    const vector S(mesh_.faceAreas()[facei]/3);
-    fourNumbers mean = {0, 0, 0, 0}, slope = mean;
-    for (const corner& at : corners_[facei])
+    return
     {
-        const scalar s = fits_.perLength()[at.vertex];
-        const scalar* c =
-            coefficients_.cdata() + stokesPolynomials::nCoefficients*at.vertex;
-        scalar a[nCubic], g[nCubic];
-        setMonomialMeans
-        (
-            Cf - mesh_.points()[at.vertex], faceMoments_[facei], s, a
-        );
-        setGradientMeans(s*S, a, g);
-        for (label k = 0; k < nCubic; ++k)
-        {
-            const fourNumbers ck = four(c + 4*k);
-            mean += a[k]*ck;
-            slope += g[k]*ck;
-        }
-    }
-    q.mean = mean/3.0;
-    q.slope = slope;
-}
-
-
-Foam::fsbi::fourNumbers Foam::fsbi::fourthOrderStokes::defect
-(
-    const label facei, label corner::* side
-) const
-{
-    fourNumbers sum = {0, 0, 0, 0};
-    for (const corner& at : corners_[facei])
-    {
-        sum += four(defects_.cdata() + 4*(at.*side));
-    }
-    return sum/3.0;
-}
-
-
-void Foam::fsbi::fourthOrderStokes::addInnerFaces(scalar* r) const
-{
-    const label* owner = stencil_.owner().cdata();
-    const label* neighbour = stencil_.neighbour().cdata();
-    for (label facei = 0; facei < mesh_.nInternalFaces(); ++facei)
-    {
-        const vector& S = stencil_.area()[facei];
-        const scalar k =
-            magSqr(S)
-           /(
-                S
-              & (
-                    stencil_.fromOwner()[facei]
-                  - stencil_.fromNeighbour()[facei]
-                )
-            );
-        const label P = owner[facei], N = neighbour[facei];
-        faceValue q;
-        evaluate(facei, q);
-        const fourNumbers eP = defect(facei, &corner::owner);
-        const fourNumbers eN = defect(facei, &corner::neighbour);
-        const fourNumbers value = q.mean + 0.5*(eP + eN);
-        const fourNumbers slope = q.slope + k*(eN - eP);
-        const scalar D = 0.5*(stabilisation_[P] + stabilisation_[N]);
-        const vector t(mu_*(velocity(slope) - value[3]*S));
-        const scalar flux = (velocity(value) & S) - D*mu_*k*(eN[3] - eP[3]);
-        const fourNumbers out = {-t.x(), -t.y(), -t.z(), flux};
-        four(r + 4*P) += out;
-        four(r + 4*N) -= out;
-    }
+        coefficients_.cdata(), fits_.perLength().cdata(),
+        fits_.origins().cdata(), corners_.cdata(), faceMoments_.cdata(),
+        mesh_.faceCentres().cdata(), mesh_.faceAreas().cdata(),
+        defects_.cdata()
+    };
 }
 
 
@@ -191,17 +185,18 @@ void Foam::fsbi::fourthOrderStokes::residual
     vectorField& traction
 ) const
 {
-    for (label i = 0; i < mesh_.nCells(); ++i)
+    values_.setSize(mesh_.nCells());
+    forAll(values_, i)
     {
-        four(values_.begin() + 4*i) =
-            four(x + 4*i)/fourNumbers{1, 1, 1, mu_};
+        four(values_[i].begin()) = four(x + 4*i)/fourNumbers{1, 1, 1, mu_};
     }
-    fits_.fit
-    (
-        values_.cdata(), b.vertices, coefficients_.begin(), defects_.begin()
-    );
+    wallValues_ = b.vertices;
+    fits_.fit(values_, wallValues_, coefficients_.begin(), defects_.begin());
     std::fill_n(r, 4*mesh_.nCells(), scalar(0));
-    addInnerFaces(r);
+    addFluxes
+    (
+        faces(), stencil_, innerFaces_, mesh_.nCells(), mu_, stabilisation_.cdata(), r
+    );
     addBoundaryFaces(b, r, traction);
 }
 
@@ -221,26 +216,26 @@ Foam::tmp<Foam::tensorField>
 Foam::fsbi::fourthOrderStokes::velocityGradients() const
 {
     auto result = tmp<tensorField>::New(mesh_.nCells(), Zero);
-    const labelList& vertices = fits_.cellVertex();
-    forAll(vertices, place)
+    forAll(result(), celli)
     {
-        const label v = vertices[place], celli = place/4;
-        const scalar s = fits_.perLength()[v];
-        const scalar* c =
-            coefficients_.cdata() + stokesPolynomials::nCoefficients*v;
-        scalar a[nCubic], g[nCubic];
-        setMonomials(s*(mesh_.cellCentres()[celli] - mesh_.points()[v]), a);
-        for (direction i = 0; i < 3; ++i)
+        tensor& gradient = result.ref()[celli];
+        for (const label v : mesh_.cellPoints()[celli])
         {
-            vector e(Zero);
-            e[i] = 0.25*s;
-            setGradientMeans(e, a, g);
-            for (label k = 0; k < nCubic; ++k)
+            const scalar s = fits_.perLength()[v];
+            const scalar* c =
+                coefficients_.cdata() + stokesPolynomials::nCoefficients*v;
+            scalar a[nCubic], g[nCubic];
+            setMonomials(s*(mesh_.cellCentres()[celli] - fits_.origins()[v]), a);
+            for (direction i = 0; i < 3; ++i)
             {
-                for (direction j = 0; j < 3; ++j)
-                {
-                    result.ref()[celli](i, j) += g[k]*c[4*k + j];
-                }
+                vector e(Zero);
+                e[i] = 0.25*s;
+                setGradientMeans(e, a, g);
+                fourNumbers sum = {0, 0, 0, 0};
+                addProducts<nCubic>(g, c, sum);
+                gradient(i, 0) += sum[0];
+                gradient(i, 1) += sum[1];
+                gradient(i, 2) += sum[2];
             }
         }
     }

@@ -21,14 +21,16 @@ void Foam::fsbi::fourthOrderStokes::setBalanced()
 {
     DynamicList<labelList> closed;
     DynamicList<label> rest;
-    for (const polyPatch& pp : mesh_.boundaryMesh())
+    const label nPatches = mesh_.boundaryMesh().nNonProcessor();
+    for (label patchi = 0; patchi < nPatches; ++patchi)
     {
+        const polyPatch& pp = mesh_.boundaryMesh()[patchi];
         const labelList faces
         (
             identity(pp.size(), pp.start() - mesh_.nInternalFaces())
         );
         const vectorField S(pp.faceAreas());
-        if (pp.size() && mag(sum(S)) < closedBelow*sum(mag(S)))
+        if (mag(gSum(S)) < closedBelow*gSum(mag(S)))
         {
             closed.append(faces);
         }
@@ -37,10 +39,7 @@ void Foam::fsbi::fourthOrderStokes::setBalanced()
             rest.append(faces);
         }
     }
-    if (rest.size())
-    {
-        closed.append(rest);
-    }
+    closed.append(rest);
     balanced_ = closed;
 }
 
@@ -53,7 +52,7 @@ Foam::vector Foam::fsbi::fourthOrderStokes::velocityAt
     const scalar* c =
         coefficients_.cdata() + stokesPolynomials::nCoefficients*v;
     scalar a[nCubic];
-    setMonomials(fits_.perLength()[v]*(x - mesh_.points()[v]), a);
+    setMonomials(fits_.perLength()[v]*(x - fits_.origins()[v]), a);
     fourNumbers sum = {0, 0, 0, 0};
     for (label k = 0; k < nCubic; ++k)
     {
@@ -93,24 +92,29 @@ void Foam::fsbi::fourthOrderStokes::addBoundaryFaces
     vectorField& traction
 ) const
 {
+    const faceSolutions solutions(faces());
     forAll(velocityGiven_, i)
     {
+        if (!velocityGiven_[i])
+        {
+            continue;
+        }
         const label facei = mesh_.nInternalFaces() + i;
         const label P = mesh_.faceOwner()[facei];
         const vector& S = mesh_.faceAreas()[facei];
-        faceValue q;
-        evaluate(facei, q);
-        const fourNumbers e = defect(facei, &corner::owner);
-        const scalar p = q.mean[3] + e[3];
+        fourNumbers mean, slope, e;
+        solutions.evaluate(facei, mean, slope);
+        solutions.setDefect(facei, &faceCorner::owner, e);
+        const scalar p = mean[3] + e[3];
         const vector t
         (
-            mu_*(velocity(q.slope) - p*S) - wallCoeff(i)*velocity(e)
+            mu_*(velocity(slope) - p*S) - wallCoeff(i)*velocity(e)
         );
         r[4*P] -= t.x();
         r[4*P + 1] -= t.y();
         r[4*P + 2] -= t.z();
         traction[i] = t + mu_*transposedAtWall(facei);
-        wallFlux_[i] = velocity(q.mean) & S;
+        wallFlux_[i] = velocity(mean) & S;
     }
     addWallFluxes(b, r);
 }
@@ -122,20 +126,25 @@ void Foam::fsbi::fourthOrderStokes::addWallFluxes
 ) const
 {
     const label nInternal = mesh_.nInternalFaces();
-    for (const labelList& faces : balanced_)
+    scalarList sums(2*balanced_.size(), Zero);
+    forAll(balanced_, k)
     {
-        scalar excess = 0, area = 0;
-        for (const label i : faces)
+        for (const label i : balanced_[k])
         {
             const vector& S = mesh_.faceAreas()[nInternal + i];
-            excess += wallFlux_[i] - (b.faces[i] & S);
-            area += mag(S);
+            sums[2*k] += wallFlux_[i] - (b.faces[i] & S);
+            sums[2*k + 1] += mag(S);
         }
-        for (const label i : faces)
+    }
+    reduce(sums, sumOp<scalarList>());
+    forAll(balanced_, k)
+    {
+        const scalar excess = sums[2*k]/max(sums[2*k + 1], VSMALL);
+        for (const label i : balanced_[k])
         {
             const label facei = nInternal + i;
             r[4*mesh_.faceOwner()[facei] + 3] +=
-                wallFlux_[i] - excess/area*mag(mesh_.faceAreas()[facei]);
+                wallFlux_[i] - excess*mag(mesh_.faceAreas()[facei]);
         }
     }
 }
@@ -144,12 +153,13 @@ void Foam::fsbi::fourthOrderStokes::addWallFluxes
 Foam::tmp<Foam::scalarField>
 Foam::fsbi::fourthOrderStokes::boundaryPressure() const
 {
+    const faceSolutions solutions(faces());
     auto result = tmp<scalarField>::New(nBoundaryFaces());
     forAll(result(), i)
     {
-        faceValue q;
-        evaluate(mesh_.nInternalFaces() + i, q);
-        result.ref()[i] = mu_*q.mean[3];
+        fourNumbers mean, slope;
+        solutions.evaluate(mesh_.nInternalFaces() + i, mean, slope);
+        result.ref()[i] = mu_*mean[3];
     }
     return result;
 }

@@ -72,9 +72,9 @@ void Foam::fsbi::localSolutionGram::inverseFactor(scalar* rows) const
     factor_.matrixL().solveInPlace(inverse);
     for (label i = 0; i < n; ++i)
     {
-        for (label j = 0; j <= i; ++j)
+        for (label j = 0; j < 4*(i/4 + 1); ++j)
         {
-            *rows++ = inverse(i, j);
+            *rows++ = j <= i ? inverse(i, j) : 0;
         }
     }
 }

@@ -4,7 +4,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "localSolutionStencil.H"
-#include "fourNumbers.H"
 #include "localSolutionGram.H"
 
 namespace Foam
@@ -24,249 +23,177 @@ static const label mostRings = 3;
 //  ones have 1e-5
 static const scalar illConditioned = 1e-9;
 
-//- Points of the wall do not count more than at this distance over h, squared
-static const scalar nearest = 0.04;
-
 } // End namespace fsbi
 } // End namespace Foam
 
 
 Foam::fsbi::localSolutionStencil::localSolutionStencil
 (
-    const fvMesh& mesh, const boolList& wall, const labelList& vertices
+    const fvMesh& mesh, const boolList& wall, const labelList& vertices,
+    const curvedWall::surface& onSurface
 )
 :
     mesh_(mesh),
-    wall_(mesh, wall, vertices)
+    wall_(mesh, wall, vertices, onSurface),
+    cells_(mesh)
 {
+    checkCells();
     setCells();
+    setPlaces();
     update();
+}
+
+
+void Foam::fsbi::localSolutionStencil::checkCells() const
+{
+    forAll(mesh_.cells(), celli)
+    {
+        const label n = mesh_.cellPoints()[celli].size();
+        if (n != 4 || mesh_.cells()[celli].size() != 4)
+        {
+            FatalErrorInFunction
+                << "Order 4 of the fluid needs tetrahedra, but cell " << celli
+                << " at " << mesh_.cellCentres()[celli] << " has " << n
+                << " vertices. Give 'order 2' in 'coupling' of"
+                << " system/fluid/fvSolution" << exit(FatalError);
+        }
+    }
 }
 
 
 void Foam::fsbi::localSolutionStencil::setCells()
 {
-    cellVertex_.setSize(4*mesh_.nCells());
-    List<DynamicList<label>> places(mesh_.nPoints());
-    forAll(mesh_.cells(), celli)
+    for (label ring = 0; ring < mostRings; ++ring)
+    {
+        boolList few(mesh_.nPoints(), false);
+        bool any = false;
+        forAll(few, v)
+        {
+            few[v] =
+                cells_[v].size()
+              < (wall_.number(v) < 0 ? fewestInside : fewestOnWall);
+            any = any || few[v];
+        }
+        if (!returnReduce(any, orOp<bool>()))
+        {
+            return;
+        }
+        cells_.widen(few);
+    }
+}
+
+
+void Foam::fsbi::localSolutionStencil::setPlaces()
+{
+    nPlaces_ = 4*mesh_.nCells();
+    labelList used(mesh_.nCells(), Zero);
+    place_.setSize(mesh_.nPoints());
+    forAll(place_, v)
+    {
+        place_[v].setSize(cells_.nTouching(v));
+        forAll(place_[v], i)
+        {
+            const label celli = cells_[v][i];
+            place_[v][i] =
+                celli < mesh_.nCells() ? 4*celli + used[celli]++ : nPlaces_++;
+        }
+    }
+}
+
+
+Foam::label Foam::fsbi::localSolutionStencil::place
+(
+    const label v, const label globalCell
+) const
+{
+    label i = 0;
+    while (!cells_.is(v, i, globalCell))
+    {
+        ++i;
+    }
+    return place_[v][i];
+}
+
+
+void Foam::fsbi::localSolutionStencil::setGeometry()
+{
+    const pointField& x = mesh_.points();
+    centres_ = mesh_.cellCentres();
+    moments_.setSize(mesh_.nCells());
+    forAll(moments_, celli)
     {
         const labelList& vertices = mesh_.cellPoints()[celli];
-        if (vertices.size() != 4 || mesh_.cells()[celli].size() != 4)
-        {
-            FatalErrorInFunction
-                << "Order 4 of the fluid needs tetrahedra, but cell " << celli
-                << " at " << mesh_.cellCentres()[celli] << " has "
-                << vertices.size() << " vertices. Give 'order 2' in 'coupling'"
-                << " of system/fluid/fvSolution" << exit(FatalError);
-        }
-        forAll(vertices, k)
-        {
-            cellVertex_[4*celli + k] = vertices[k];
-            places[vertices[k]].append(4*celli + k);
-        }
+        const FixedList<point, 4> corners
+        ({
+            x[vertices[0]], x[vertices[1]], x[vertices[2]], x[vertices[3]]
+        });
+        moments_[celli] = simplexMoments(corners, centres_[celli]);
     }
-    place_.setSize(mesh_.nPoints());
-    forAll(places, v)
+    cells_.fill(centres_);
+    cells_.fill(moments_);
+    origin_ = x;
+    forAll(x, v)
     {
-        place_[v].transfer(places[v]);
+        if (wall_.number(v) >= 0)
+        {
+            origin_[v] = wall_.points()[wall_.number(v)];
+        }
     }
 }
 
 
-Foam::labelList Foam::fsbi::localSolutionStencil::widened
-(
-    const UList<label>& cells
-) const
+bool Foam::fsbi::localSolutionStencil::factorise(const label v)
 {
-    DynamicList<label> result(cells);
-    for (const label celli : cells)
-    {
-        for (const label other : mesh_.cellCells()[celli])
-        {
-            if (!result.found(other))
-            {
-                result.append(other);
-            }
-        }
-    }
-    return labelList(result);
-}
-
-
-Foam::scalar Foam::fsbi::localSolutionStencil::distance
-(
-    const point& x, const UList<label>& cells
-) const
-{
-    scalar sum = 0;
-    for (const label celli : cells)
-    {
-        sum += magSqr(mesh_.cellCentres()[celli] - x);
-    }
-    return Foam::sqrt(sum/cells.size());
-}
-
-
-Foam::labelList Foam::fsbi::localSolutionStencil::fitted(const label v)
-{
-    const point& x = mesh_.points()[v];
+    const point& x = origin_[v];
     const label onWall = wall_.number(v);
-    labelList cells(place_[v]);
-    for (label& celli : cells)
+    scalar sum = 0;
+    for (const label celli : cells_[v])
     {
-        celli /= 4;
+        sum += magSqr(centres_[celli] - x);
     }
-    for (label ring = 0; ; ++ring)
+    const scalar s = 1/Foam::sqrt(sum/cells_[v].size());
+    perLength_[v] = s;
+
+    localSolutionGram gram(solutions_);
+    scalar a[nCubic];
+    for (const label celli : cells_[v])
     {
-        const bool last = ring == mostRings;
-        if
-        (
-            !last
-         && cells.size() < (onWall < 0 ? fewestInside : fewestOnWall)
-        )
-        {
-            cells = widened(cells);
-            continue;
-        }
-        const scalar h = distance(x, cells);
-        perLength_[v] = 1/h;
-        localSolutionGram gram(solutions_);
-        scalar a[nCubic];
-        for (const label celli : cells)
-        {
-            const vector d(mesh_.cellCentres()[celli] - x);
-            setMonomialMeans(d, moments_[celli], 1/h, a);
-            gram.addCell(a, sqr(sqr(h)/magSqr(d)));
-        }
-        for (label i = 1; onWall >= 0 && i < wall_.around(onWall).size(); ++i)
-        {
-            const label pointi = wall_.around(onWall)[i];
-            const vector d((wall_.points()[pointi] - x)/h);
-            setMonomials(d, a);
-            gram.addPoint(a, 1/sqr(max(magSqr(d), nearest)));
-        }
-        if (gram.factorise(onWall >= 0, illConditioned) || last)
-        {
-            gram.inverseFactor(factor_.begin() + v*factorSize);
-            return cells;
-        }
-        cells = widened(cells);
+        const vector d(centres_[celli] - x);
+        setMonomialMeans(d, moments_[celli], s, a);
+        gram.addCell(a, cellWeight(sqr(s)*magSqr(d)));
     }
+    for (label i = 1; onWall >= 0 && i < wall_.around(onWall).size(); ++i)
+    {
+        const vector d(s*(wall_.points()[wall_.around(onWall)[i]] - x));
+        setMonomials(d, a);
+        gram.addPoint(a, pointWeight(magSqr(d)));
+    }
+    const bool sound = gram.factorise(onWall >= 0, illConditioned);
+    gram.inverseFactor(factor_.begin() + v*localSolutionGram::factorSize);
+    return sound;
 }
 
 
 void Foam::fsbi::localSolutionStencil::update()
 {
-    const pointField& x = mesh_.points();
     wall_.update();
-    moments_.setSize(mesh_.nCells());
-    forAll(moments_, celli)
+    setGeometry();
+    perLength_.setSize(mesh_.nPoints());
+    factor_.setSize(mesh_.nPoints()*localSolutionGram::factorSize);
+    boolList wanted(mesh_.nPoints(), true);
+    for (label ring = 0; ring <= mostRings; ++ring)
     {
-        FixedList<point, 4> corners;
-        forAll(corners, k)
+        bool any = false;
+        forAll(wanted, v)
         {
-            corners[k] = x[cellVertex_[4*celli + k]];
+            wanted[v] = wanted[v] && !factorise(v);
+            any = any || wanted[v];
         }
-        moments_[celli] =
-            simplexMoments(corners, mesh_.cellCentres()[celli]);
-    }
-    perLength_.setSize(x.size());
-    factor_.setSize(x.size()*factorSize);
-    start_.setSize(x.size() + 1);
-    start_[0] = 0;
-    cell_.clear();
-    forAll(x, v)
-    {
-        cell_.append(fitted(v));
-        start_[v + 1] = cell_.size();
-    }
-}
-
-
-void Foam::fsbi::localSolutionStencil::fit
-(
-    const scalar* x, const vectorField& onWall,
-    scalar* coefficients, scalar* defects
-) const
-{
-    DynamicList<scalar> rows;
-    forAll(perLength_, v)
-    {
-        const point& origin = mesh_.points()[v];
-        const scalar s = perLength_[v];
-        const label number = wall_.number(v);
-        const label nCells = start_[v + 1] - start_[v];
-        const label* cells = cell_.cdata() + start_[v];
-        rows.setSize(nCubic*nCells);
-
-        fourNumbers uniform = {0, 0, 0, 0};
-        if (number >= 0)
+        if (!returnReduce(any, orOp<bool>()) || ring == mostRings)
         {
-            const vector& g = onWall[number];
-            uniform = fourNumbers{g.x(), g.y(), g.z(), 0};
+            return;
         }
-        const fourNumbers scaled = {1, 1, 1, 1/s};
-
-        scalar b[stokesPolynomials::nCoefficients] = {};
-        const auto add =
-            [&b](const scalar* a, const scalar weight, const fourNumbers value)
-        {
-            const fourNumbers weighted = weight*value;
-            for (label k = 0; k < nCubic; ++k)
-            {
-                four(b + 4*k) += a[k]*weighted;
-            }
-        };
-        for (label i = 0; i < nCells; ++i)
-        {
-            const vector d(mesh_.cellCentres()[cells[i]] - origin);
-            scalar* a = rows.begin() + nCubic*i;
-            setMonomialMeans(d, moments_[cells[i]], s, a);
-            add
-            (
-                a, 1/sqr(sqr(s)*magSqr(d)),
-                (four(x + 4*cells[i]) - uniform)*scaled
-            );
-        }
-        if (number >= 0)
-        {
-            const SubList<label> around(wall_.around(number));
-            for (label i = 1; i < around.size(); ++i)
-            {
-                const vector d(s*(wall_.points()[around[i]] - origin));
-                const vector& g = onWall[around[i]];
-                scalar a[nCubic];
-                setMonomials(d, a);
-                add
-                (
-                    a, 1/sqr(max(magSqr(d), nearest)),
-                    fourNumbers{g.x(), g.y(), g.z(), 0} - uniform
-                );
-            }
-        }
-        scalar y[stokesPolynomials::nSolutions];
-        solutions_.project(b, y);
-        if (number >= 0)
-        {
-            std::fill_n(y, 3, scalar(0));
-        }
-        applyInverse(factor_.cdata() + v*factorSize, y);
-        scalar* c = coefficients + stokesPolynomials::nCoefficients*v;
-        solutions_.expand(y, c);
-        four(c) += uniform;
-        for (label k = 0; k < nQuadratic; ++k)
-        {
-            c[4*k + 3] *= s;
-        }
-        forAll(place_[v], i)
-        {
-            const scalar* a = rows.cdata() + nCubic*i;
-            fourNumbers defect = four(x + 4*cells[i]);
-            for (label k = 0; k < nCubic; ++k)
-            {
-                defect -= a[k]*four(c + 4*k);
-            }
-            four(defects + 4*place_[v][i]) = defect;
-        }
+        cells_.widen(wanted);
+        setGeometry();
     }
 }
