@@ -13,6 +13,7 @@ Description
 
 #include "appliedOperator.H"
 #include "checks.H"
+#include "meshDistribution.H"
 #include "petscObjects.H"
 #include "problem.H"
 #include "testMeshes.H"
@@ -213,6 +214,112 @@ static scalar drag
 }
 
 
+//- Any smooth flow on the boundary, anything at all in the cells
+static void disturb(appliedOperator& a, const labelUList& cells)
+{
+    const auto u = [](const point& x)
+    {
+        return vector
+        (
+            Foam::sin(x.y() + 2*x.z()), Foam::cos(x.x() - x.z()),
+            Foam::sin(x.x()*x.y())
+        );
+    };
+    forAll(a.x, i)
+    {
+        a.x[i] = noise(4*cells[i/4] + i % 4);
+    }
+    forAll(a.b.faces, i)
+    {
+        a.b.faces[i] = u(a.mesh.faceCentres()[a.mesh.nInternalFaces() + i]);
+    }
+    forAll(a.b.vertices, i)
+    {
+        a.b.vertices[i] = u(a.stokes.wallPoints()[i]);
+    }
+    a.apply();
+}
+
+
+//- A moved mesh against a new one
+static void checkUpdate(checks& c)
+{
+    const testMeshes room(boundBox(point(-3, -3, -3), point(3, 3, 3)));
+    autoPtr<fvMesh> mesh(room.mesh("tetrahedra", 4, 0.4));
+    const labelList cells(identity(mesh->nCells()));
+    appliedOperator moved(mesh(), mu, wordList(), {4});
+    pointField x(mesh->points());
+    forAll(x, i)
+    {
+        const vector way(x[i].y(), -x[i].x(), 0.1*x[i].z());
+        x[i] += 0.1*way*(1 - sqr(mag(x[i])/6));
+    }
+    mesh->movePoints(x);
+    moved.stokes.update();
+    disturb(moved, cells);
+    appliedOperator made(mesh(), mu, wordList(), {4});
+    disturb(made, cells);
+    scalar worst = 0;
+    forAll(made.r, i)
+    {
+        worst = max(worst, mag(made.r[i] - moved.r[i]));
+    }
+    // bound: the same numbers, but that a moved mesh may have more cells at
+    // badly conditioned vertices: none here
+    c.checkBelow("a moved mesh is as a new one", worst, 1e-12);
+}
+
+
+//- The same on one processor and on all, the body's surface cut as well
+static void checkParallel(checks& c)
+{
+    const testMeshes room(boundBox(point(-3, -3, -3), point(3, 3, 3)));
+    meshLists whole;
+    labelList ranks;
+    scalarList r;
+    vectorField traction;
+    if (Pstream::master())
+    {
+        Pstream::parRun() = false;
+        whole = room.lists("tetrahedra", 4, 0.4);
+        ranks = meshDistribution::bisect(whole, Pstream::nProcs());
+        autoPtr<fvMesh> mesh(room.scaled(whole, 1));
+        appliedOperator a(mesh(), mu, wordList(), {4});
+        disturb(a, identity(mesh->nCells()));
+        r = a.r;
+        traction = a.traction;
+        Pstream::parRun() = true;
+    }
+    Pstream::scatter(r);
+    Pstream::scatter(traction);
+    const meshDistribution part(whole, ranks);
+    autoPtr<fvMesh> mesh(room.scaled(part.mesh, 1));
+    appliedOperator a(mesh(), mu, wordList(), {4});
+    disturb(a, part.cells);
+    scalar rows = 0, tractions = 0;
+    forAll(a.r, i)
+    {
+        rows = max(rows, mag(a.r[i] - r[4*part.cells[i/4] + i % 4]));
+    }
+    forAll(a.traction, i)
+    {
+        if (a.uncoupled(i))
+        {
+            const label facei =
+                part.faces[mesh->nInternalFaces() + i]
+              - part.wholePatchStarts[0];
+            tractions = max(tractions, mag(a.traction[i] - traction[facei]));
+        }
+    }
+    // bound: sums in another order, of numbers up to ten
+    c.checkBelow("in parallel: residual", returnReduce(rows, maxOp<scalar>()), 1e-10);
+    c.checkBelow
+    (
+        "in parallel: traction", returnReduce(tractions, maxOp<scalar>()), 1e-10
+    );
+}
+
+
 int main(int argc, char *argv[])
 {
     argList::noBanner();
@@ -220,7 +327,13 @@ int main(int argc, char *argv[])
     argList args(argc, argv, false, false, true);
     petscSession petsc;
     checks c;
+    if (Pstream::parRun())
+    {
+        checkParallel(c);
+        return c.finish();
+    }
     checkCubic(c);
+    checkUpdate(c);
     const testMeshes room(boundBox(point(-4, -4, -4), point(4, 4, 4)));
     for (const scalar size : {0.4, 0.28, 0.2, 0.132})
     {
