@@ -36,32 +36,47 @@ struct vertexFit
 };
 
 
-//- b += a value^T
-fsbiInlined static void addRow
+//- The row of a cell, and the means that it is multiplied with, weighted
+fsbiInlined static void setRow
 (
-    const scalar* a, const fourNumbers& value, scalar* b
+    const vertexFit& f, const label celli, scalar* row, fourNumbers& value
 )
 {
-    for (label k = 0; k < nCubic; ++k)
-    {
-        four(b + 4*k) += a[k]*value;
-    }
+    const fourNumbers scale = {1, 1, 1, 1/f.perLength};
+    const vector d(f.centres[celli] - f.origin);
+    setMonomialMeans(d, f.moments[celli], f.perLength, row);
+    const scalar weight = cellWeight(sqr(f.perLength)*magSqr(d));
+    value = weight*scale*(four(f.values + 4*celli) - f.uniform);
 }
 
 
-//- The rows of the cells, and their products with the cells' means, weighted
+//- The rows of the cells, and their products with the cells' means added to b,
+//  two at a time
 fsbiWide static void addCells(const vertexFit& f, scalar* rows, scalar* b)
 {
-    const fourNumbers scale = {1, 1, 1, 1/f.perLength};
-    for (const label celli : f.cells)
+    const label n = f.cells.size();
+    label i = 0;
+    for (; i + 1 < n; i += 2)
     {
-        const vector d(f.centres[celli] - f.origin);
-        setMonomialMeans(d, f.moments[celli], f.perLength, rows);
-        const scalar weight = cellWeight(sqr(f.perLength)*magSqr(d));
-        const fourNumbers value =
-            weight*scale*(four(f.values + 4*celli) - f.uniform);
-        addRow(rows, value, b);
-        rows += nCubic;
+        const scalar* one = rows + nCubic*i;
+        const scalar* two = one + nCubic;
+        fourNumbers u, v;
+        setRow(f, f.cells[i], rows + nCubic*i, u);
+        setRow(f, f.cells[i + 1], rows + nCubic*(i + 1), v);
+        for (label k = 0; k < nCubic; ++k)
+        {
+            four(b + 4*k) += one[k]*u + two[k]*v;
+        }
+    }
+    if (i < n)
+    {
+        const scalar* row = rows + nCubic*i;
+        fourNumbers u;
+        setRow(f, f.cells[i], rows + nCubic*i, u);
+        for (label k = 0; k < nCubic; ++k)
+        {
+            four(b + 4*k) += row[k]*u;
+        }
     }
 }
 
@@ -76,7 +91,11 @@ fsbiWide static void addPoint
     const vector d(f.perLength*(x - f.origin));
     setMonomials(d, a);
     const fourNumbers value = {u.x(), u.y(), u.z(), 0};
-    addRow(a, pointWeight(magSqr(d))*(value - f.uniform), b);
+    const fourNumbers weighted = pointWeight(magSqr(d))*(value - f.uniform);
+    for (label k = 0; k < nCubic; ++k)
+    {
+        four(b + 4*k) += a[k]*weighted;
+    }
 }
 
 
