@@ -179,6 +179,29 @@ void Foam::fsbi::fluidRegion::linkBodies()
 }
 
 
+Foam::label Foam::fsbi::fluidRegion::readOrder
+(
+    const checkedDictionary& coupling
+) const
+{
+    const label order = coupling.count("order", 2);
+    if (order != 2 && order != 4)
+    {
+        FatalErrorInFunction
+            << "Entry 'order' of 'coupling' in system/fluid/fvSolution is "
+            << order << "; valid choices are (2 4)" << exit(FatalError);
+    }
+    if (order == 4 && momentum_->terms().size())
+    {
+        FatalErrorInFunction
+            << "Order 4 of the fluid is not there for fluids with inertia or"
+            << " forces in constant/fluid/material. Give 'order 2' in"
+            << " 'coupling' of system/fluid/fvSolution" << exit(FatalError);
+    }
+    return order;
+}
+
+
 void Foam::fsbi::fluidRegion::createOperators()
 {
     solver_.clear();
@@ -187,13 +210,7 @@ void Foam::fsbi::fluidRegion::createOperators()
     checkIntegrators(coupling);
     const checkedDictionary entries(coupling);
     stokesOperator::schemes schemes;
-    schemes.order = entries.count("order", schemes.order);
-    if (schemes.order != 2 && schemes.order != 4)
-    {
-        FatalIOErrorInFunction(coupling)
-            << "Entry 'order' is " << schemes.order
-            << "; valid choices are (2 4)" << exit(FatalIOError);
-    }
+    schemes.order = readOrder(entries);
     schemes.linearFaces =
         entries.choice
         (
