@@ -358,7 +358,7 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
     prepare(rows);
     solverReport report(solver_->solve(given_, rows, x_, traction_));
 
-    loads = bodyLoads(mesh(), rows, traction_);
+    loads = bodyLoads(stokes(), rows, traction_);
     setFields(rows);
     return report;
 }
@@ -369,7 +369,7 @@ Foam::fsbi::sixVector Foam::fsbi::fluidRegion::load(const label bodyi) const
     List<bodyRows> rows(1);
     rows[0].centre = mesh_.bodies()[bodyi].placed().centre;
     rows[0].faces = bodyFaces_[bodyi];
-    return bodyLoads(mesh(), rows, traction_)[0];
+    return bodyLoads(stokes(), rows, traction_)[0];
 }
 
 

@@ -108,7 +108,7 @@ void Foam::fsbi::fluidRegion::finish
     List<sixVector>& loads
 )
 {
-    loads = bodyLoads(mesh(), rows, traction_);
+    loads = bodyLoads(stokes(), rows, traction_);
     setFields(rows);
     for (const elasticRows* body : elastic)
     {

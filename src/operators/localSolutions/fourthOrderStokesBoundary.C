@@ -62,6 +62,66 @@ Foam::vector Foam::fsbi::fourthOrderStokes::velocityAt
 }
 
 
+Foam::vector Foam::fsbi::fourthOrderStokes::tractionAt
+(
+    const label facei, const point& x
+) const
+{
+    const vector& S = mesh_.faceAreas()[facei];
+    tensor gradient(Zero);
+    scalar p = 0;
+    for (const faceCorner& at : corners_[facei])
+    {
+        const scalar s = fits_.perLength()[at.vertex];
+        const scalar* c =
+            coefficients_.cdata()
+          + stokesPolynomials::nCoefficients*at.vertex;
+        scalar a[nCubic], g[nCubic];
+        setMonomials(s*(x - fits_.origins()[at.vertex]), a);
+        fourNumbers value = {0, 0, 0, 0};
+        addProducts<nCubic>(a, c, value);
+        p += value[3]/3;
+        for (direction i = 0; i < 3; ++i)
+        {
+            vector e(Zero);
+            e[i] = s/3;
+            setGradientMeans(e, a, g);
+            fourNumbers slope = {0, 0, 0, 0};
+            addProducts<nCubic>(g, c, slope);
+            const vector row(velocity(slope));
+            for (direction j = 0; j < 3; ++j)
+            {
+                gradient(i, j) += row[j];
+            }
+        }
+    }
+    return ((gradient + gradient.T()) & S) - p*S;
+}
+
+
+void Foam::fsbi::fourthOrderStokes::setTractionMoments() const
+{
+    tractionMoments_.setSize(nBoundaryFaces());
+    tractionMoments_ = Zero;
+    // by the rule of the three edges' middles, exact for linear tractions
+    for (label k = 0; k < balanced_.size() - 1; ++k)
+    {
+        for (const label i : balanced_[k])
+        {
+            const label facei = mesh_.nInternalFaces() + i;
+            const edgeList edges(mesh_.faces()[facei].edges());
+            for (const edge& e : edges)
+            {
+                const point x(e.centre(mesh_.points()));
+                tractionMoments_[i] +=
+                    (x - mesh_.faceCentres()[facei])
+                  ^ (mu_/3*tractionAt(facei, x));
+            }
+        }
+    }
+}
+
+
 Foam::vector Foam::fsbi::fourthOrderStokes::transposedAtWall
 (
     const label facei
@@ -117,6 +177,7 @@ void Foam::fsbi::fourthOrderStokes::addBoundaryFaces
         wallFlux_[i] = velocity(mean) & S;
     }
     addWallFluxes(b, r);
+    setTractionMoments();
 }
 
 
