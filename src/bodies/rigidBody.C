@@ -458,6 +458,7 @@ void Foam::fsbi::rigidBody::save(dictionary& dict) const
     dict.set("shape", shape_);
     dict.set("points", surface_.points());
     dict.set("triangles", surface_.triangles());
+    dict.set("scale", surface_.scale());
 }
 
 
@@ -472,6 +473,6 @@ void Foam::fsbi::rigidBody::restore(const dictionary& dict)
     surface_ = bodySurface
     (
         dict.get<pointField>("points"), dict.get<List<triFace>>("triangles")
-    );
+    ).standingFor(dict.getOrDefault<scalar>("scale", 1));
     setMass();
 }

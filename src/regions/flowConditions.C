@@ -376,48 +376,93 @@ void Foam::fsbi::flowConditions::setVertices
     boundaryValues& given
 ) const
 {
+    // processors share vertices of the mesh; what is on edges they all have
+    const labelList& wall = stokes.wallVertices();
     vectorField sum(mesh_.mesh().nPoints(), Zero);
-    scalarField count(mesh_.mesh().nPoints(), Zero);
+    scalarField count(sum.size(), Zero);
+    vectorField edgeSum(stokes.wallEdges().size(), Zero);
+    scalarField edgeCount(edgeSum.size(), Zero);
     for (const fvPatchVectorField& pf : U.boundaryField())
     {
-        const polyPatch& pp = pf.patch().patch();
         if (pf.coupled() || isA<tractionCondition>(pf))
         {
             continue;
         }
-        const auto* profile = isA<pointwiseValue>(pf);
-        vectorField u(pp.nPoints(), Zero);
-        if (profile)
+        const labelList points
+        (
+            stokes.wallPointsOn(pf.patch().patch().meshPoints())
+        );
+        const vectorField u(wallVelocity(pf, stokes, points));
+        forAll(u, k)
         {
-            u = profile->valueAt(pp.localPoints(), time_.value());
-        }
-        else if (const auto* body = prescribed(pp.name()))
-        {
-            forAll(u, i)
-            {
-                u[i] = body->velocityAt(pp.localPoints()[i]);
-            }
-        }
-        else if (!mesh_.isBody(pp.name()))
-        {
-            u = PrimitivePatchInterpolation<primitivePatch>(pp)
-               .faceToPointInterpolate(static_cast<const vectorField&>(pf));
-        }
-        forAll(u, i)
-        {
-            sum[pp.meshPoints()[i]] += u[i];
-            count[pp.meshPoints()[i]] += 1;
+            const label i = points[k], edgei = i - wall.size();
+            (edgei < 0 ? sum[wall[i]] : edgeSum[edgei]) += u[k];
+            (edgei < 0 ? count[wall[i]] : edgeCount[edgei]) += 1;
         }
     }
     syncTools::syncPointList(mesh_.mesh(), sum, plusEqOp<vector>(), vector::zero);
     syncTools::syncPointList(mesh_.mesh(), count, plusEqOp<scalar>(), scalar(0));
 
-    const labelList& wall = stokes.wallVertices();
-    given.vertices.setSize(wall.size());
+    given.vertices.setSize(stokes.wallPoints().size());
     forAll(wall, i)
     {
         given.vertices[i] = sum[wall[i]]/max(count[wall[i]], scalar(1));
     }
+    forAll(edgeSum, i)
+    {
+        given.vertices[wall.size() + i] =
+            edgeSum[i]/max(edgeCount[i], scalar(1));
+    }
+}
+
+
+Foam::vectorField Foam::fsbi::flowConditions::wallVelocity
+(
+    const fvPatchVectorField& pf,
+    const stokesOperator& stokes,
+    const labelList& points
+) const
+{
+    const polyPatch& pp = pf.patch().patch();
+    const pointField x(stokes.wallPoints(), points);
+    if (const auto* profile = isA<pointwiseValue>(pf))
+    {
+        return profile->valueAt(x, time_.value());
+    }
+    vectorField u(x.size(), Zero);
+    if (const auto* body = prescribed(pp.name()))
+    {
+        forAll(u, i)
+        {
+            u[i] = body->velocityAt(x[i]);
+        }
+    }
+    else if (!mesh_.isBody(pp.name()))
+    {
+        const vectorField corners
+        (
+            PrimitivePatchInterpolation<primitivePatch>(pp)
+           .faceToPointInterpolate(static_cast<const vectorField&>(pf))
+        );
+        const auto at = [&](const label v)
+        {
+            return corners[pp.meshPointMap()[v]];
+        };
+        const labelList& wall = stokes.wallVertices();
+        forAll(u, i)
+        {
+            const label edgei = points[i] - wall.size();
+            u[i] =
+                edgei < 0
+              ? at(wall[points[i]])
+              : 0.5
+               *(
+                    at(stokes.wallEdges()[edgei].start())
+                  + at(stokes.wallEdges()[edgei].end())
+                );
+        }
+    }
+    return u;
 }
 
 

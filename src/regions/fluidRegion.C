@@ -168,10 +168,42 @@ void Foam::fsbi::fluidRegion::linkBodies()
             vertices[bodyOf[wall[i]]].append(i);
         }
     }
+    forAll(stokes().wallEdges(), i)
+    {
+        const edge& e = stokes().wallEdges()[i];
+        const label b = bodyOf[e.start()];
+        if (b >= 0 && bodyOf[e.end()] == b)
+        {
+            vertices[b].append(wall.size() + i);
+        }
+    }
     forAll(vertices, b)
     {
         bodyVertices_[b].transfer(vertices[b]);
     }
+}
+
+
+Foam::label Foam::fsbi::fluidRegion::readOrder
+(
+    const checkedDictionary& coupling
+) const
+{
+    const label order = coupling.count("order", 2);
+    if (order != 2 && order != 4)
+    {
+        FatalErrorInFunction
+            << "Entry 'order' of 'coupling' in system/fluid/fvSolution is "
+            << order << "; valid choices are (2 4)" << exit(FatalError);
+    }
+    if (order == 4 && momentum_->terms().size())
+    {
+        FatalErrorInFunction
+            << "Order 4 of the fluid is not there for fluids with inertia or"
+            << " forces in constant/fluid/material. Give 'order 2' in"
+            << " 'coupling' of system/fluid/fvSolution" << exit(FatalError);
+    }
+    return order;
 }
 
 
@@ -183,6 +215,7 @@ void Foam::fsbi::fluidRegion::createOperators()
     checkIntegrators(coupling);
     const checkedDictionary entries(coupling);
     stokesOperator::schemes schemes;
+    schemes.order = readOrder(entries);
     schemes.linearFaces =
         entries.choice
         (
@@ -195,9 +228,34 @@ void Foam::fsbi::fluidRegion::createOperators()
             "gradients", stokesOperator::gradientSchemes.names(), "vertex"
         )
     ];
+    schemes.onSurface = surfaceOfBodies();
     momentum_->set(conditions_.velocityGiven(U_()), schemes);
     linkBodies();
     createSolver();
+}
+
+
+std::function<Foam::point(const Foam::label, const Foam::point&)>
+Foam::fsbi::fluidRegion::surfaceOfBodies() const
+{
+    // points of bodies were moved outward for the sake of the volume
+    labelList bodyOf(mesh().boundaryMesh().size(), -1);
+    scalarList scale(mesh_.bodies().size());
+    forAll(mesh_.bodies(), b)
+    {
+        bodyOf[mesh_.bodyPatch(b)] = b;
+        scale[b] = mesh_.bodies()[b].meshedSurface().scale();
+    }
+    return [=](const label patchi, const point& x)
+    {
+        const label b = bodyOf[patchi];
+        if (b < 0 || scale[b] == 1)
+        {
+            return x;
+        }
+        const point centre(mesh_.bodies()[b].placed().centre);
+        return point(centre + (x - centre)/scale[b]);
+    };
 }
 
 
@@ -307,7 +365,7 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
     (
         solver_->solve(problem(rows, {}), x_, traction_)
     );
-    loads = bodyLoads(mesh(), rows, traction_);
+    loads = bodyLoads(stokes(), rows, traction_);
     setFields(rows);
     return report;
 }
@@ -318,7 +376,7 @@ Foam::fsbi::sixVector Foam::fsbi::fluidRegion::load(const label bodyi) const
     List<bodyRows> rows(1);
     rows[0].centre = mesh_.bodies()[bodyi].placed().centre;
     rows[0].faces = bodyFaces_[bodyi];
-    return bodyLoads(mesh(), rows, traction_)[0];
+    return bodyLoads(stokes(), rows, traction_)[0];
 }
 
 

@@ -37,6 +37,13 @@ void Foam::fsbi::fluidRegion::linkSurfaces
     const UList<elasticRows*>& elastic
 ) const
 {
+    if (elastic.size() && stokes().wallEdges().size())
+    {
+        FatalErrorInFunction
+            << "Order 4 of the fluid is not there for elastic bodies. Give"
+            << " 'order 2' in 'coupling' of system/fluid/fvSolution"
+            << exit(FatalError);
+    }
     forAll(elastic, e)
     {
         if (elastic[e]->generation != mesh_.generation())
@@ -99,7 +106,7 @@ void Foam::fsbi::fluidRegion::finish
     List<sixVector>& loads
 )
 {
-    loads = bodyLoads(mesh(), rows, traction_);
+    loads = bodyLoads(stokes(), rows, traction_);
     setFields(rows);
     for (const elasticRows* body : elastic)
     {

@@ -260,7 +260,7 @@ void Foam::fsbi::SIMPLEC::relaxBodies
 {
     const List<sixVector> defects
     (
-        bodyDefects(bodies, v, bodyLoads(mesh_, bodies, traction_))
+        bodyDefects(bodies, v, bodyLoads(stokes_, bodies, traction_))
     );
     forAll(bodies, b)
     {
@@ -317,7 +317,7 @@ Foam::scalar Foam::fsbi::SIMPLEC::norm
 
     const List<sixVector> defects
     (
-        bodyDefects(bodies, v, bodyLoads(mesh_, bodies, traction_))
+        bodyDefects(bodies, v, bodyLoads(stokes_, bodies, traction_))
     );
     forAll(defects, b)
     {

@@ -35,7 +35,7 @@ Foam::fsbi::blockTriangular::blockTriangular(const coupledSystem& system)
 {
     const stokesOperator& stokes = system.momentum().viscous();
     values_.faces.setSize(stokes.nBoundaryFaces());
-    values_.vertices.setSize(stokes.wallVertices().size());
+    values_.vertices.setSize(stokes.wallPoints().size());
 }
 
 

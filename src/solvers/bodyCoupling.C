@@ -26,7 +26,7 @@ void Foam::fsbi::setBodyVelocities
         }
         for (const label i : body.vertices)
         {
-            const point& x = mesh.points()[stokes.wallVertices()[i]];
+            const point& x = stokes.wallPoints()[i];
             values.vertices[i] = V + (omega ^ (x - body.centre));
         }
     }
@@ -35,11 +35,13 @@ void Foam::fsbi::setBodyVelocities
 
 Foam::List<Foam::fsbi::sixVector> Foam::fsbi::bodyLoads
 (
-    const fvMesh& mesh,
+    const stokesOperator& stokes,
     const UList<bodyRows>& bodies,
     const vectorField& traction
 )
 {
+    const fvMesh& mesh = stokes.stencil().mesh();
+    const vectorField& moments = stokes.tractionMoments();
     scalarField sums(6*bodies.size(), Zero);
     forAll(bodies, b)
     {
@@ -49,6 +51,10 @@ Foam::List<Foam::fsbi::sixVector> Foam::fsbi::bodyLoads
             const point& x = mesh.faceCentres()[mesh.nInternalFaces() + i];
             force -= traction[i];
             torque -= (x - bodies[b].centre) ^ traction[i];
+            if (moments.size())
+            {
+                torque -= moments[i];
+            }
         }
         const sixVector load(join(force, torque));
         std::copy_n(load.begin(), 6, sums.begin() + 6*b);

@@ -129,8 +129,7 @@ Foam::List<Foam::fsbi::sixVector> Foam::fsbi::coupledSystem::bodyForces
     const loads::onBodies& load
 ) const
 {
-    const fvMesh& mesh = momentum_.viscous().stencil().mesh();
-    List<sixVector> forces(bodyLoads(mesh, *bodies_, traction_));
+    List<sixVector> forces(bodyLoads(momentum_.viscous(), *bodies_, traction_));
     for (label b = 0; effects_ && b < forces.size(); ++b)
     {
         forAll(forces[b], k)

@@ -148,7 +148,7 @@ static void disturb(appliedOperator& a, const label seed)
     forAll(a.b.vertices, i)
     {
         // the same on both sides of a periodic mesh
-        const point& x = a.mesh.points()[a.stokes.wallVertices()[i]];
+        const point& x = a.stokes.wallPoints()[i];
         const label key = label(1e4*(3*x.y() + 7*x.z())) + seed;
         a.b.vertices[i] = vector(noise(key), noise(3*key), noise(5*key));
     }

@@ -270,7 +270,7 @@ static void checkSpin(checks& c)
     forAll(spin.given.vertices, i)
     {
         spin.given.vertices[i] =
-            u(mesh->points()[spin.stokes.wallVertices()[i]]);
+            u(spin.stokes.wallPoints()[i]);
     }
     forAll(spin.given.faces, i)
     {

@@ -224,7 +224,18 @@ Foam::fsbi::bodySurface Foam::fsbi::bodySurface::scaled
     const scalar factor
 ) const
 {
-    return transformed(factor*tensor::I, Zero);
+    return transformed(factor*tensor::I, Zero).standingFor(factor*scale_);
+}
+
+
+Foam::fsbi::bodySurface Foam::fsbi::bodySurface::standingFor
+(
+    const scalar scale
+) const
+{
+    bodySurface result(*this);
+    result.scale_ = scale;
+    return result;
 }
 
 

@@ -18,12 +18,15 @@ Foam::fsbi::momentumEquation::momentumEquation
 
 Foam::fsbi::momentumEquation::momentumEquation
 (
-    const fvMesh& mesh, const scalar mu, const boolList& velocityGiven
+    const fvMesh& mesh,
+    const scalar mu,
+    const boolList& velocityGiven,
+    const stokesOperator::schemes& s
 )
 :
     momentumEquation(mesh, mu, PtrList<momentumTerm>())
 {
-    set(velocityGiven, stokesOperator::schemes());
+    set(velocityGiven, s);
 }
 
 
@@ -32,7 +35,7 @@ void Foam::fsbi::momentumEquation::set
     const boolList& velocityGiven, const stokesOperator::schemes& s
 )
 {
-    viscous_.reset(new stokesOperator(mesh_, mu_, velocityGiven, s));
+    viscous_ = stokesOperator::New(mesh_, mu_, velocityGiven, s);
     for (momentumTerm& term : terms_)
     {
         term.renew();

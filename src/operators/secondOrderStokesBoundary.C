@@ -3,24 +3,9 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "stokesOperator.H"
+#include "secondOrderStokes.H"
 
-bool Foam::fsbi::stokesOperator::closed() const
-{
-    bool closed = true;
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        const label start = pp.start() - mesh_.nInternalFaces();
-        for (label i = start; !pp.coupled() && i < start + pp.size(); ++i)
-        {
-            closed &= velocityGiven_[i];
-        }
-    }
-    return returnReduce(closed, andOp<bool>());
-}
-
-
-Foam::vector Foam::fsbi::stokesOperator::transposedAtWall
+Foam::vector Foam::fsbi::secondOrderStokes::transposedAtWall
 (
     const label facei
 ) const
@@ -41,7 +26,7 @@ Foam::vector Foam::fsbi::stokesOperator::transposedAtWall
 }
 
 
-Foam::fsbi::wallGradient Foam::fsbi::stokesOperator::wall
+Foam::fsbi::wallGradient Foam::fsbi::secondOrderStokes::wall
 (
     const label facei
 ) const
@@ -56,8 +41,8 @@ Foam::fsbi::wallGradient Foam::fsbi::stokesOperator::wall
 }
 
 
-Foam::fsbi::stokesOperator::throughFace
-Foam::fsbi::stokesOperator::withVelocity
+Foam::fsbi::secondOrderStokes::throughFace
+Foam::fsbi::secondOrderStokes::withVelocity
 (
     const label facei, const vector& u, vector& traction
 ) const
@@ -77,8 +62,8 @@ Foam::fsbi::stokesOperator::withVelocity
 }
 
 
-Foam::fsbi::stokesOperator::throughFace
-Foam::fsbi::stokesOperator::withTraction
+Foam::fsbi::secondOrderStokes::throughFace
+Foam::fsbi::secondOrderStokes::withTraction
 (
     const label facei, const vector& given, vector& traction
 ) const
@@ -110,7 +95,7 @@ Foam::fsbi::stokesOperator::withTraction
 }
 
 
-void Foam::fsbi::stokesOperator::addBoundaryFaces
+void Foam::fsbi::secondOrderStokes::addBoundaryFaces
 (
     const boundaryValues& b,
     scalar* r,
@@ -140,7 +125,7 @@ void Foam::fsbi::stokesOperator::addBoundaryFaces
 
 
 Foam::tmp<Foam::scalarField>
-Foam::fsbi::stokesOperator::boundaryPressure() const
+Foam::fsbi::secondOrderStokes::boundaryPressure() const
 {
     auto result = tmp<scalarField>::New(nBoundaryFaces());
     forAll(result(), i)

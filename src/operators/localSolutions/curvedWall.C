@@ -1,0 +1,262 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "curvedWall.H"
+#include "EdgeMap.H"
+#include "globalIndex.H"
+#include "syncTools.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Cosine of the angle between a facet's normal and the mean around its vertex
+//  from which on the surface has an edge there: 35 degrees, twice that between
+//  facets. A sphere of 60 facets has 21 degrees
+static const scalar sharp = 0.82;
+
+//- Points around a vertex: the two ends of an edge, or a vertex twice, and the
+//  number of the point, all over all processors
+typedef List<FixedList<label, 3>> wallRing;
+
+//- Of points that several processors have, the lowest number
+struct joinRings
+{
+    void operator()(wallRing& a, const wallRing& b) const
+    {
+        for (const auto& entry : b)
+        {
+            label i = 0;
+            while
+            (
+                i < a.size() && (a[i][0] != entry[0] || a[i][1] != entry[1])
+            )
+            {
+                ++i;
+            }
+            if (i == a.size())
+            {
+                a.append(entry);
+            }
+            else
+            {
+                a[i][2] = min(a[i][2], entry[2]);
+            }
+        }
+    }
+};
+
+struct noTurn
+{
+    template<class... Args>
+    void operator()(Args&&...) const
+    {}
+};
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::fsbi::curvedWall::curvedWall
+(
+    const fvMesh& mesh, const boolList& faces, const labelList& vertices,
+    const surface& onSurface
+)
+:
+    mesh_(mesh),
+    faces_(faces),
+    vertices_(vertices),
+    vertexNumber_(mesh.nPoints(), -1),
+    onSurface_(onSurface)
+{
+    forAll(vertices_, i)
+    {
+        vertexNumber_[vertices_[i]] = i;
+    }
+    setEdges();
+    setAround();
+    update();
+}
+
+
+void Foam::fsbi::curvedWall::setEdges()
+{
+    EdgeMap<label> numbers;
+    DynamicList<edge> edges;
+    DynamicList<label> patches;
+    forAll(faces_, i)
+    {
+        const label facei = mesh_.nInternalFaces() + i;
+        const face& f = mesh_.faces()[facei];
+        for (label k = 0; faces_[i] && k < f.size(); ++k)
+        {
+            const label patchi = mesh_.boundaryMesh().whichPatch(facei);
+            const edge e(f.faceEdge(k));
+            if (numbers.insert(e, edges.size()))
+            {
+                edges.append(e);
+                patches.append(patchi);
+            }
+            else if (patches[numbers[e]] != patchi)
+            {
+                patches[numbers[e]] = -1;
+            }
+        }
+    }
+    edges_.transfer(edges);
+    edgePatch_.transfer(patches);
+}
+
+
+void Foam::fsbi::curvedWall::setAround()
+{
+    const globalIndex number(nOwn());
+    labelList vertex(mesh_.nPoints(), labelMax);
+    forAll(vertices_, i)
+    {
+        vertex[vertices_[i]] = number.toGlobal(i);
+    }
+    syncTools::syncPointList(mesh_, vertex, minEqOp<label>(), labelMax);
+    EdgeMap<label> edgeNumber;
+    forAll(edges_, i)
+    {
+        edgeNumber.insert(edges_[i], i);
+    }
+
+    List<wallRing> rings(mesh_.nPoints());
+    forAll(faces_, i)
+    {
+        const face& f = mesh_.faces()[mesh_.nInternalFaces() + i];
+        wallRing points;
+        for (label k = 0; faces_[i] && k < f.size(); ++k)
+        {
+            const edge e(f.faceEdge(k));
+            const label a = vertex[e.start()], b = vertex[e.end()];
+            points.append(FixedList<label, 3>({a, a, a}));
+            points.append
+            (
+                FixedList<label, 3>
+                ({
+                    min(a, b), max(a, b),
+                    number.toGlobal(vertices_.size() + edgeNumber[e])
+                })
+            );
+        }
+        for (label k = 0; faces_[i] && k < f.size(); ++k)
+        {
+            joinRings()(rings[f[k]], points);
+        }
+    }
+    syncTools::syncPointList(mesh_, rings, joinRings(), wallRing(), noTurn());
+
+    around_.setSize(vertices_.size());
+    forAll(vertices_, i)
+    {
+        const label v = vertices_[i];
+        sort(rings[v]);
+        around_[i].setSize(1, vertex[v]);
+        for (const auto& entry : rings[v])
+        {
+            if (entry[2] != vertex[v])
+            {
+                around_[i].append(entry[2]);
+            }
+        }
+    }
+    if (UPstream::parRun())
+    {
+        List<Map<label>> compact;
+        map_.reset(new mapDistribute(number, around_, compact));
+    }
+}
+
+
+void Foam::fsbi::curvedWall::bend(const label patchi)
+{
+    const polyPatch& pp = mesh_.boundaryMesh()[patchi];
+    const pointField& x = mesh_.points();
+    vectorField normal(x.size(), Zero);
+    const vectorField facet(pp.faceAreas()/mag(pp.faceAreas()));
+    forAll(pp, i)
+    {
+        for (const label v : pp[i])
+        {
+            normal[v] += facet[i];
+        }
+    }
+    syncTools::syncPointList(mesh_, normal, plusEqOp<vector>(), vector::zero);
+    normal /= mag(normal) + VSMALL;
+    boolList smooth(x.size(), true);
+    forAll(pp, i)
+    {
+        for (const label v : pp[i])
+        {
+            smooth[v] = smooth[v] && (normal[v] & facet[i]) > sharp;
+        }
+    }
+    syncTools::syncPointList(mesh_, smooth, andEqOp<bool>(), true);
+    forAll(edges_, i)
+    {
+        if (edgePatch_[i] == patchi)
+        {
+            const vector e(edges_[i].vec(x));
+            const auto lift = [&](const label v)
+            {
+                return smooth[v] ? (e & normal[v])*normal[v] : vector::zero;
+            };
+            points_[vertices_.size() + i] +=
+                (lift(edges_[i].end()) - lift(edges_[i].start()))/8;
+        }
+    }
+}
+
+
+void Foam::fsbi::curvedWall::moveBack(const label patchi)
+{
+    const auto move = [&](point& x)
+    {
+        x = onSurface_(patchi, x);
+    };
+    for (const label v : mesh_.boundaryMesh()[patchi].meshPoints())
+    {
+        if (vertexNumber_[v] >= 0)
+        {
+            move(points_[vertexNumber_[v]]);
+        }
+    }
+    forAll(edges_, i)
+    {
+        if (edgePatch_[i] == patchi)
+        {
+            move(points_[vertices_.size() + i]);
+        }
+    }
+}
+
+
+void Foam::fsbi::curvedWall::update()
+{
+    const pointField& x = mesh_.points();
+    points_.setSize(nOwn());
+    forAll(vertices_, i)
+    {
+        points_[i] = x[vertices_[i]];
+    }
+    forAll(edges_, i)
+    {
+        points_[vertices_.size() + i] = edges_[i].centre(x);
+    }
+    const label nPatches = mesh_.boundaryMesh().nNonProcessor();
+    for (label patchi = 0; patchi < nPatches; ++patchi)
+    {
+        bend(patchi);
+        if (onSurface_)
+        {
+            moveBack(patchi);
+        }
+    }
+    fill(points_);
+}

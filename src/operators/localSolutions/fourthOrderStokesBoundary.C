@@ -1,0 +1,226 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "fourthOrderStokes.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- |sum S| over sum |S| of a patch that closes on itself
+static const scalar closedBelow = 1e-9;
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+void Foam::fsbi::fourthOrderStokes::setBalanced()
+{
+    DynamicList<labelList> closed;
+    DynamicList<label> rest;
+    const label nPatches = mesh_.boundaryMesh().nNonProcessor();
+    for (label patchi = 0; patchi < nPatches; ++patchi)
+    {
+        const polyPatch& pp = mesh_.boundaryMesh()[patchi];
+        const labelList faces
+        (
+            identity(pp.size(), pp.start() - mesh_.nInternalFaces())
+        );
+        const vectorField S(pp.faceAreas());
+        if (mag(gSum(S)) < closedBelow*gSum(mag(S)))
+        {
+            closed.append(faces);
+        }
+        else
+        {
+            rest.append(faces);
+        }
+    }
+    closed.append(rest);
+    balanced_ = closed;
+}
+
+
+Foam::vector Foam::fsbi::fourthOrderStokes::velocityAt
+(
+    const label v, const point& x
+) const
+{
+    const scalar* c =
+        coefficients_.cdata() + stokesPolynomials::nCoefficients*v;
+    scalar a[nCubic];
+    setMonomials(fits_.perLength()[v]*(x - fits_.origins()[v]), a);
+    fourNumbers sum = {0, 0, 0, 0};
+    for (label k = 0; k < nCubic; ++k)
+    {
+        sum += a[k]*four(c + 4*k);
+    }
+    return velocity(sum);
+}
+
+
+Foam::vector Foam::fsbi::fourthOrderStokes::tractionAt
+(
+    const label facei, const point& x
+) const
+{
+    const vector& S = mesh_.faceAreas()[facei];
+    tensor gradient(Zero);
+    scalar p = 0;
+    for (const faceCorner& at : corners_[facei])
+    {
+        const scalar s = fits_.perLength()[at.vertex];
+        const scalar* c =
+            coefficients_.cdata()
+          + stokesPolynomials::nCoefficients*at.vertex;
+        scalar a[nCubic], g[nCubic];
+        setMonomials(s*(x - fits_.origins()[at.vertex]), a);
+        fourNumbers value = {0, 0, 0, 0};
+        addProducts<nCubic>(a, c, value);
+        p += value[3]/3;
+        for (direction i = 0; i < 3; ++i)
+        {
+            vector e(Zero);
+            e[i] = s/3;
+            setGradientMeans(e, a, g);
+            fourNumbers slope = {0, 0, 0, 0};
+            addProducts<nCubic>(g, c, slope);
+            const vector row(velocity(slope));
+            for (direction j = 0; j < 3; ++j)
+            {
+                gradient(i, j) += row[j];
+            }
+        }
+    }
+    return ((gradient + gradient.T()) & S) - p*S;
+}
+
+
+void Foam::fsbi::fourthOrderStokes::setTractionMoments() const
+{
+    tractionMoments_.setSize(nBoundaryFaces());
+    tractionMoments_ = Zero;
+    // by the rule of the three edges' middles, exact for linear tractions
+    for (label k = 0; k < balanced_.size() - 1; ++k)
+    {
+        for (const label i : balanced_[k])
+        {
+            const label facei = mesh_.nInternalFaces() + i;
+            const edgeList edges(mesh_.faces()[facei].edges());
+            for (const edge& e : edges)
+            {
+                const point x(e.centre(mesh_.points()));
+                tractionMoments_[i] +=
+                    (x - mesh_.faceCentres()[facei])
+                  ^ (mu_/3*tractionAt(facei, x));
+            }
+        }
+    }
+}
+
+
+Foam::vector Foam::fsbi::fourthOrderStokes::transposedAtWall
+(
+    const label facei
+) const
+{
+    const face& f = mesh_.faces()[facei];
+    const pointField& x = mesh_.points();
+    vector sum(Zero);
+    forAll(f, k)
+    {
+        const label a = f[k], b = f.nextLabel(k);
+        const point middle(0.5*(x[a] + x[b]));
+        sum +=
+            (x[b] - x[a])
+          ^ (
+                velocityAt(a, x[a]) + velocityAt(b, x[b])
+              + 2*(velocityAt(a, middle) + velocityAt(b, middle))
+            )/6;
+    }
+    return sum;
+}
+
+
+void Foam::fsbi::fourthOrderStokes::addBoundaryFaces
+(
+    const boundaryValues& b,
+    scalar* r,
+    vectorField& traction
+) const
+{
+    const faceSolutions solutions(faces());
+    forAll(velocityGiven_, i)
+    {
+        if (!velocityGiven_[i])
+        {
+            continue;
+        }
+        const label facei = mesh_.nInternalFaces() + i;
+        const label P = mesh_.faceOwner()[facei];
+        const vector& S = mesh_.faceAreas()[facei];
+        fourNumbers mean, slope, e;
+        solutions.evaluate(facei, mean, slope);
+        solutions.setDefect(facei, &faceCorner::owner, e);
+        const scalar p = mean[3] + e[3];
+        const vector t
+        (
+            mu_*(velocity(slope) - p*S) - wallCoeff(i)*velocity(e)
+        );
+        r[4*P] -= t.x();
+        r[4*P + 1] -= t.y();
+        r[4*P + 2] -= t.z();
+        traction[i] = t + mu_*transposedAtWall(facei);
+        wallFlux_[i] = velocity(mean) & S;
+    }
+    addWallFluxes(b, r);
+    setTractionMoments();
+}
+
+
+void Foam::fsbi::fourthOrderStokes::addWallFluxes
+(
+    const boundaryValues& b, scalar* r
+) const
+{
+    const label nInternal = mesh_.nInternalFaces();
+    scalarList sums(2*balanced_.size(), Zero);
+    forAll(balanced_, k)
+    {
+        for (const label i : balanced_[k])
+        {
+            const vector& S = mesh_.faceAreas()[nInternal + i];
+            sums[2*k] += wallFlux_[i] - (b.faces[i] & S);
+            sums[2*k + 1] += mag(S);
+        }
+    }
+    reduce(sums, sumOp<scalarList>());
+    forAll(balanced_, k)
+    {
+        const scalar excess = sums[2*k]/max(sums[2*k + 1], VSMALL);
+        for (const label i : balanced_[k])
+        {
+            const label facei = nInternal + i;
+            r[4*mesh_.faceOwner()[facei] + 3] +=
+                wallFlux_[i] - excess*mag(mesh_.faceAreas()[facei]);
+        }
+    }
+}
+
+
+Foam::tmp<Foam::scalarField>
+Foam::fsbi::fourthOrderStokes::boundaryPressure() const
+{
+    const faceSolutions solutions(faces());
+    auto result = tmp<scalarField>::New(nBoundaryFaces());
+    forAll(result(), i)
+    {
+        fourNumbers mean, slope;
+        solutions.evaluate(mesh_.nInternalFaces() + i, mean, slope);
+        result.ref()[i] = mu_*mean[3];
+    }
+    return result;
+}

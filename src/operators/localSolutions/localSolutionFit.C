@@ -1,0 +1,208 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "localSolutionStencil.H"
+#include "localSolutionGram.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- What the fit at a vertex is made of; lengths in h
+struct vertexFit
+{
+    const stokesPolynomials& solutions;
+
+    //- Rows of L^-1
+    const scalar* factor;
+
+    //- 1/h, and the vertex
+    scalar perLength;
+    point origin;
+
+    //- Is the velocity known here, and what is it? Otherwise zero
+    bool onWall;
+    fourNumbers uniform;
+
+    const labelList& cells;
+    const vector* centres;
+    const centralMoments* moments;
+
+    //- [u v w p/mu]
+    const scalar* values;
+};
+
+
+//- The row of a cell, and the means that it is multiplied with, weighted
+fsbiInlined static void setRow
+(
+    const vertexFit& f, const label celli, scalar* row, fourNumbers& value
+)
+{
+    const fourNumbers scale = {1, 1, 1, 1/f.perLength};
+    const vector d(f.centres[celli] - f.origin);
+    setMonomialMeans(d, f.moments[celli], f.perLength, row);
+    const scalar weight = cellWeight(sqr(f.perLength)*magSqr(d));
+    value = weight*scale*(four(f.values + 4*celli) - f.uniform);
+}
+
+
+//- The rows of the cells, and their products with the cells' means added to b,
+//  two at a time
+fsbiWide static void addCells(const vertexFit& f, scalar* rows, scalar* b)
+{
+    const label n = f.cells.size();
+    label i = 0;
+    for (; i + 1 < n; i += 2)
+    {
+        const scalar* one = rows + nCubic*i;
+        const scalar* two = one + nCubic;
+        fourNumbers u, v;
+        setRow(f, f.cells[i], rows + nCubic*i, u);
+        setRow(f, f.cells[i + 1], rows + nCubic*(i + 1), v);
+        for (label k = 0; k < nCubic; ++k)
+        {
+            four(b + 4*k) += one[k]*u + two[k]*v;
+        }
+    }
+    if (i < n)
+    {
+        const scalar* row = rows + nCubic*i;
+        fourNumbers u;
+        setRow(f, f.cells[i], rows + nCubic*i, u);
+        for (label k = 0; k < nCubic; ++k)
+        {
+            four(b + 4*k) += row[k]*u;
+        }
+    }
+}
+
+
+//- The same of a point of the wall with velocity u
+fsbiWide static void addPoint
+(
+    const vertexFit& f, const point& x, const vector& u, scalar* b
+)
+{
+    scalar a[nCubic];
+    const vector d(f.perLength*(x - f.origin));
+    setMonomials(d, a);
+    const fourNumbers value = {u.x(), u.y(), u.z(), 0};
+    const fourNumbers weighted = pointWeight(magSqr(d))*(value - f.uniform);
+    for (label k = 0; k < nCubic; ++k)
+    {
+        four(b + 4*k) += a[k]*weighted;
+    }
+}
+
+
+//- y = L^-T L^-1 y
+fsbiInlined static void applyInverse(const scalar* row, scalar* y)
+{
+    constexpr label n = stokesPolynomials::nSolutions;
+    scalar z[n] = {};
+    for (label i = 0; i < n; ++i)
+    {
+        const label end = 4*(i/4 + 1);
+        fourNumbers sums = {0, 0, 0, 0};
+        for (label j = 0; j < end; j += 4)
+        {
+            sums += four(row + j)*four(y + j);
+        }
+        const scalar sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+        for (label j = 0; j < end; j += 4)
+        {
+            four(z + j) += sum*four(row + j);
+        }
+        row += end;
+    }
+    std::copy_n(z, n, y);
+}
+
+
+//- Coefficients c of the best fit
+fsbiWide static void solve(const vertexFit& f, const scalar* b, scalar* c)
+{
+    scalar y[stokesPolynomials::nSolutions];
+    f.solutions.project(b, y);
+    if (f.onWall)
+    {
+        std::fill_n(y, 3, scalar(0));
+    }
+    applyInverse(f.factor, y);
+    f.solutions.expand(y, c);
+    four(c) += f.uniform;
+    for (label k = 0; k < nQuadratic; ++k)
+    {
+        c[4*k + 3] *= f.perLength;
+    }
+}
+
+
+//- What the first cells' means have beyond those of the fit
+fsbiWide static void setDefects
+(
+    const vertexFit& f,
+    const scalar* rows,
+    const scalar* c,
+    const UList<label>& places,
+    scalar* defects
+)
+{
+    forAll(places, i)
+    {
+        fourNumbers sum = {0, 0, 0, 0};
+        addProducts<nCubic>(rows + nCubic*i, c, sum);
+        four(defects + 4*places[i]) = four(f.values + 4*f.cells[i]) - sum;
+    }
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+void Foam::fsbi::localSolutionStencil::fit
+(
+    List<FixedList<scalar, 4>>& x, vectorField& onWall,
+    scalar* coefficients, scalar* defects
+) const
+{
+    cells_.fill(x);
+    wall_.fill(onWall);
+    DynamicList<scalar> rows;
+    forAll(perLength_, v)
+    {
+        const label number = wall_.number(v);
+        const vector u(number < 0 ? vector::zero : onWall[number]);
+        vertexFit f
+        {
+            solutions_,
+            factor_.cdata() + v*localSolutionGram::factorSize,
+            perLength_[v],
+            origin_[v],
+            number >= 0,
+            {u.x(), u.y(), u.z(), 0},
+            cells_[v],
+            centres_.cdata(),
+            moments_.cdata(),
+            x.cdata()->cdata()
+        };
+        rows.setSize(nCubic*f.cells.size());
+        scalar b[stokesPolynomials::nCoefficients] = {};
+        addCells(f, rows.begin(), b);
+        if (f.onWall)
+        {
+            const labelList& around = wall_.around(number);
+            for (label i = 1; i < around.size(); ++i)
+            {
+                addPoint(f, wall_.points()[around[i]], onWall[around[i]], b);
+            }
+        }
+        scalar* c = coefficients + stokesPolynomials::nCoefficients*v;
+        solve(f, b, c);
+        setDefects(f, rows.cdata(), c, place_[v], defects);
+    }
+}

@@ -1,0 +1,199 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "localSolutionStencil.H"
+#include "localSolutionGram.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Fewest cells of a fit, inside and on walls. The 48 coefficients are found
+//  from four numbers a cell
+static const label fewestInside = 16;
+static const label fewestOnWall = 14;
+
+//- How often face neighbours join
+static const label mostRings = 3;
+
+//- Reciprocal condition of the normal equations below which they join; usual
+//  ones have 1e-5
+static const scalar illConditioned = 1e-9;
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::fsbi::localSolutionStencil::localSolutionStencil
+(
+    const fvMesh& mesh, const boolList& wall, const labelList& vertices,
+    const curvedWall::surface& onSurface
+)
+:
+    mesh_(mesh),
+    wall_(mesh, wall, vertices, onSurface),
+    cells_(mesh)
+{
+    checkCells();
+    setCells();
+    setPlaces();
+    update();
+}
+
+
+void Foam::fsbi::localSolutionStencil::checkCells() const
+{
+    forAll(mesh_.cells(), celli)
+    {
+        const label n = mesh_.cellPoints()[celli].size();
+        if (n != 4 || mesh_.cells()[celli].size() != 4)
+        {
+            FatalErrorInFunction
+                << "Order 4 of the fluid needs tetrahedra, but cell " << celli
+                << " at " << mesh_.cellCentres()[celli] << " has " << n
+                << " vertices. Give 'order 2' in 'coupling' of"
+                << " system/fluid/fvSolution" << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::fsbi::localSolutionStencil::setCells()
+{
+    for (label ring = 0; ring < mostRings; ++ring)
+    {
+        boolList few(mesh_.nPoints(), false);
+        bool any = false;
+        forAll(few, v)
+        {
+            few[v] =
+                cells_[v].size()
+              < (wall_.number(v) < 0 ? fewestInside : fewestOnWall);
+            any = any || few[v];
+        }
+        if (!returnReduce(any, orOp<bool>()))
+        {
+            return;
+        }
+        cells_.widen(few);
+    }
+}
+
+
+void Foam::fsbi::localSolutionStencil::setPlaces()
+{
+    nPlaces_ = 4*mesh_.nCells();
+    labelList used(mesh_.nCells(), Zero);
+    place_.setSize(mesh_.nPoints());
+    forAll(place_, v)
+    {
+        place_[v].setSize(cells_.nTouching(v));
+        forAll(place_[v], i)
+        {
+            const label celli = cells_[v][i];
+            place_[v][i] =
+                celli < mesh_.nCells() ? 4*celli + used[celli]++ : nPlaces_++;
+        }
+    }
+}
+
+
+Foam::label Foam::fsbi::localSolutionStencil::place
+(
+    const label v, const label globalCell
+) const
+{
+    label i = 0;
+    while (!cells_.is(v, i, globalCell))
+    {
+        ++i;
+    }
+    return place_[v][i];
+}
+
+
+void Foam::fsbi::localSolutionStencil::setGeometry()
+{
+    const pointField& x = mesh_.points();
+    centres_ = mesh_.cellCentres();
+    moments_.setSize(mesh_.nCells());
+    forAll(moments_, celli)
+    {
+        const labelList& vertices = mesh_.cellPoints()[celli];
+        const FixedList<point, 4> corners
+        ({
+            x[vertices[0]], x[vertices[1]], x[vertices[2]], x[vertices[3]]
+        });
+        moments_[celli] = simplexMoments(corners, centres_[celli]);
+    }
+    cells_.fill(centres_);
+    cells_.fill(moments_);
+    origin_ = x;
+    forAll(x, v)
+    {
+        if (wall_.number(v) >= 0)
+        {
+            origin_[v] = wall_.points()[wall_.number(v)];
+        }
+    }
+}
+
+
+bool Foam::fsbi::localSolutionStencil::factorise(const label v)
+{
+    const point& x = origin_[v];
+    const label onWall = wall_.number(v);
+    scalar sum = 0;
+    for (const label celli : cells_[v])
+    {
+        sum += magSqr(centres_[celli] - x);
+    }
+    const scalar s = 1/Foam::sqrt(sum/cells_[v].size());
+    perLength_[v] = s;
+
+    localSolutionGram gram(solutions_);
+    scalar a[nCubic];
+    for (const label celli : cells_[v])
+    {
+        const vector d(centres_[celli] - x);
+        setMonomialMeans(d, moments_[celli], s, a);
+        gram.addCell(a, cellWeight(sqr(s)*magSqr(d)));
+    }
+    for (label i = 1; onWall >= 0 && i < wall_.around(onWall).size(); ++i)
+    {
+        const vector d(s*(wall_.points()[wall_.around(onWall)[i]] - x));
+        setMonomials(d, a);
+        gram.addPoint(a, pointWeight(magSqr(d)));
+    }
+    const bool sound = gram.factorise(onWall >= 0, illConditioned);
+    gram.inverseFactor(factor_.begin() + v*localSolutionGram::factorSize);
+    return sound;
+}
+
+
+void Foam::fsbi::localSolutionStencil::update()
+{
+    wall_.update();
+    setGeometry();
+    perLength_.setSize(mesh_.nPoints());
+    factor_.setSize(mesh_.nPoints()*localSolutionGram::factorSize);
+    boolList wanted(mesh_.nPoints(), true);
+    for (label ring = 0; ring <= mostRings; ++ring)
+    {
+        bool any = false;
+        forAll(wanted, v)
+        {
+            wanted[v] = wanted[v] && !factorise(v);
+            any = any || wanted[v];
+        }
+        if (!returnReduce(any, orOp<bool>()) || ring == mostRings)
+        {
+            return;
+        }
+        cells_.widen(wanted);
+        setGeometry();
+    }
+}
