@@ -6,6 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshStencil.H"
 #include "globalIndex.H"
 #include "Map.H"
+#include "noTurn.H"
 #include "syncTools.H"
 #include "tensor.H"
 
@@ -37,14 +38,6 @@ struct lowestClaim
             a.set(iter.key(), own.found() ? min(*own, *iter) : *iter);
         }
     }
-};
-
-//- Coupled patches are translational: nothing turns
-struct noTurn
-{
-    template<class... Args>
-    void operator()(Args&&...) const
-    {}
 };
 
 //- Moments of the cells around a vertex, relative to the vertex

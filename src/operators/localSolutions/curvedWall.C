@@ -6,6 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "curvedWall.H"
 #include "EdgeMap.H"
 #include "globalIndex.H"
+#include "noTurn.H"
 #include "syncTools.H"
 
 namespace Foam
@@ -47,13 +48,6 @@ struct joinRings
             }
         }
     }
-};
-
-struct noTurn
-{
-    template<class... Args>
-    void operator()(Args&&...) const
-    {}
 };
 
 } // End namespace fsbi

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "vertexCells.H"
+#include "noTurn.H"
 #include "syncTools.H"
 
 namespace Foam
@@ -23,13 +24,6 @@ struct joinLists
             }
         }
     }
-};
-
-struct noTurn
-{
-    template<class... Args>
-    void operator()(Args&&...) const
-    {}
 };
 
 } // End namespace fsbi
