@@ -93,7 +93,7 @@ static void checkRestart
     const pointField here(moved(mesh(), s, at));
     const dictionary state(saved(mesh()));
     mesh.clear();
-    mesh.reset(new fluidMesh(time, s.bodies, t, state));
+    mesh.reset(new fluidMesh(time, "fluid", s.bodies, t, state));
     c.checkBelow
     (
         name + ": restarted where it was",
@@ -151,7 +151,7 @@ void checkFluidMesh(checks& c)
     s.pull(0);
     autoPtr<fluidMesh> mesh
     (
-        new fluidMesh(time(), s.bodies, t, dictionary())
+        new fluidMesh(time(), "fluid", s.bodies, t, dictionary())
     );
     checkWithinStep(c, s, mesh());
     checkRestart(c, "following", time(), t, s, mesh, 0.3, 0.6);

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "trajectory.H"
+#include "caseInput.H"
 #include "fluidRegion.H"
 #include "resistance.H"
 #include "timeFunction.H"
@@ -104,7 +105,10 @@ static resistance resistanceAt
     UPtrList<immersedBody> immersed;
     immersed.append(&bodies[0]);
     timings clocks;
-    fluidRegion fluid(time, bodies, immersed, clocks, dictionary::null);
+    fluidRegion fluid
+    (
+        time, caseInput::fluid, bodies, immersed, clocks, dictionary::null
+    );
     return resistanceOf(6, [&](const scalarField& motion)
     {
         const untrapped scope;
