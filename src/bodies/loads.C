@@ -246,20 +246,3 @@ Foam::tensorField Foam::fsbi::loads::springStiffness(const label bodyi) const
     }
     return sum;
 }
-
-
-Foam::scalarField Foam::fsbi::loads::springConstants(const label bodyi) const
-{
-    scalarField sum(triangles_[bodyi].size(), Zero);
-    for (const spring& s : springs_)
-    {
-        for (const site* end : {&s.a, &s.b})
-        {
-            if (end->body == bodyi)
-            {
-                sum[end->triangle] += tr(s.stiffness)/3;
-            }
-        }
-    }
-    return sum;
-}

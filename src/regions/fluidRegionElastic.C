@@ -37,13 +37,6 @@ void Foam::fsbi::fluidRegion::linkSurfaces
     const UList<elasticRows*>& elastic
 ) const
 {
-    if (elastic.size() && stokes().wallEdges().size())
-    {
-        FatalErrorInFunction
-            << "Order 4 of the fluid is not there for elastic bodies. Give"
-            << " 'order 2' in 'coupling' of system/fluid/fvSolution"
-            << exit(FatalError);
-    }
     forAll(elastic, e)
     {
         if (elastic[e]->generation != mesh_.generation())

@@ -75,6 +75,10 @@ bool Foam::fsbi::solidRegion::evaluate()
     {
         forces_ -= rows_.share*rows_.tether;
     }
+    if (rows_.acting.size())
+    {
+        forces_ -= rows_.acting;
+    }
     return returnReduce(elastic_->state().valid(), andOp<bool>());
 }
 

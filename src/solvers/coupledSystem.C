@@ -69,8 +69,9 @@ bool Foam::fsbi::coupledSystem::setSprings()
         body.springs = scalarField();
         if (effects_ && effects_->acting().onElastic())
         {
-            body.springs =
-                effects_->acting().springConstants(bodies_->size() + e);
+            // the mean over directions
+            const label bodyi = bodies_->size() + e;
+            body.springs = tr(effects_->acting().springStiffness(bodyi))/3;
             springs += sum(body.springs);
         }
         rate += body.rate;

@@ -33,7 +33,10 @@ void Foam::fsbi::fluidSolver::knowOthers(const checkedDictionary& entries)
     for
     (
         const char* key
-      : {"method", "order", "faceValues", "gradients", "scheme", "geometry", "passes"}
+      : {
+            "method", "order", "faceValues", "gradients", "scheme", "geometry",
+            "passes"
+        }
     )
     {
         entries.found(key);

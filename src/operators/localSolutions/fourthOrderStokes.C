@@ -201,7 +201,8 @@ void Foam::fsbi::fourthOrderStokes::residual
     std::fill_n(r, 4*mesh_.nCells(), scalar(0));
     addFluxes
     (
-        faces(), stencil_, innerFaces_, mesh_.nCells(), mu_, stabilisation_.cdata(), r
+        faces(), stencil_, innerFaces_, mesh_.nCells(), mu_,
+        stabilisation_.cdata(), r
     );
     addBoundaryFaces(b, r, traction);
 }
@@ -231,7 +232,8 @@ Foam::fsbi::fourthOrderStokes::velocityGradients() const
             const scalar* c =
                 coefficients_.cdata() + stokesPolynomials::nCoefficients*v;
             scalar a[nCubic], g[nCubic];
-            setMonomials(s*(mesh_.cellCentres()[celli] - fits_.origins()[v]), a);
+            const vector d(mesh_.cellCentres()[celli] - fits_.origins()[v]);
+            setMonomials(s*d, a);
             for (direction i = 0; i < 3; ++i)
             {
                 vector e(Zero);

@@ -54,10 +54,7 @@ Foam::vector Foam::fsbi::fourthOrderStokes::velocityAt
     scalar a[nCubic];
     setMonomials(fits_.perLength()[v]*(x - fits_.origins()[v]), a);
     fourNumbers sum = {0, 0, 0, 0};
-    for (label k = 0; k < nCubic; ++k)
-    {
-        sum += a[k]*four(c + 4*k);
-    }
+    addProducts<nCubic>(a, c, sum);
     return velocity(sum);
 }
 
@@ -109,10 +106,10 @@ void Foam::fsbi::fourthOrderStokes::setTractionMoments() const
         for (const label i : balanced_[k])
         {
             const label facei = mesh_.nInternalFaces() + i;
-            const edgeList edges(mesh_.faces()[facei].edges());
-            for (const edge& e : edges)
+            const face& f = mesh_.faces()[facei];
+            for (label j = 0; j < f.size(); ++j)
             {
-                const point x(e.centre(mesh_.points()));
+                const point x(f.faceEdge(j).centre(mesh_.points()));
                 tractionMoments_[i] +=
                     (x - mesh_.faceCentres()[facei])
                   ^ (mu_/3*tractionAt(facei, x));

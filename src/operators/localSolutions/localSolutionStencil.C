@@ -177,6 +177,14 @@ bool Foam::fsbi::localSolutionStencil::factorise(const label v)
 void Foam::fsbi::localSolutionStencil::update()
 {
     wall_.update();
+    if (joined_)
+    {
+        // fits are a matter of where the mesh is, not of where it was: a restart,
+        // or a step that is given up, has the same
+        cells_.reset();
+        setCells();
+        joined_ = false;
+    }
     setGeometry();
     perLength_.setSize(mesh_.nPoints());
     factor_.setSize(mesh_.nPoints()*localSolutionGram::factorSize);
@@ -194,6 +202,7 @@ void Foam::fsbi::localSolutionStencil::update()
             return;
         }
         cells_.widen(wanted);
+        joined_ = true;
         setGeometry();
     }
 }

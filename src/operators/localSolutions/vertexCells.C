@@ -35,6 +35,12 @@ Foam::fsbi::vertexCells::vertexCells(const fvMesh& mesh)
     mesh_(mesh),
     number_(mesh.nCells())
 {
+    reset();
+}
+
+
+void Foam::fsbi::vertexCells::reset()
+{
     setTouching();
     setMap();
 }
