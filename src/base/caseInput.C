@@ -87,13 +87,14 @@ void Foam::fsbi::caseInput::checkFile
         return;
     }
     const dictionaryText text(contents(path_/file), className);
-    if (text.fault().size())
+    if (text.diagnostic().size())
     {
         FatalIOError
         (
             FUNCTION_NAME, __FILE__, __LINE__, path_/file, max(text.line(), 1)
         )   << file.c_str() << ' ' << (text.line() ? "line " + name(text.line()) + ": "
-            : string()).c_str() << text.fault().c_str() << exit(FatalIOError);
+            : string()).c_str() << text.diagnostic().c_str()
+            << exit(FatalIOError);
     }
     for (const std::string& included : text.included())
     {
@@ -212,7 +213,7 @@ void Foam::fsbi::caseInput::check
 }
 
 
-void Foam::fsbi::caseInput::tellFolders(const wordList& regions) const
+void Foam::fsbi::caseInput::reportFolders(const wordList& regions) const
 {
     for (const word& folder : regionFolders())
     {
@@ -233,7 +234,7 @@ void Foam::fsbi::caseInput::tellFolders(const wordList& regions) const
 }
 
 
-void Foam::fsbi::caseInput::tellFiles() const
+void Foam::fsbi::caseInput::reportFiles() const
 {
     for (const fileName top : {"constant", "system"})
     {
@@ -254,7 +255,7 @@ void Foam::fsbi::caseInput::tellFiles() const
 }
 
 
-void Foam::fsbi::caseInput::tellUnread
+void Foam::fsbi::caseInput::reportUnread
 (
     const Time& time, const wordList& regions
 )
@@ -262,7 +263,7 @@ void Foam::fsbi::caseInput::tellUnread
     if (Pstream::master())
     {
         const caseInput input(time.globalPath());
-        input.tellFolders(regions);
-        input.tellFiles();
+        input.reportFolders(regions);
+        input.reportFiles();
     }
 }

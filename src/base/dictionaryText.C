@@ -47,7 +47,7 @@ Foam::fsbi::dictionaryText::dictionaryText
     const untrapped scope;      // of nan and 1e400
     includes_ = className.empty();
     checkEncoding();
-    if (fault_.empty())
+    if (diagnostic_.empty())
     {
         scopes_.push_back({0, 1, 0, "", 1, {}});
         scan();
@@ -65,9 +65,9 @@ void Foam::fsbi::dictionaryText::fail
     const label line, const std::string& what
 )
 {
-    if (fault_.empty())
+    if (diagnostic_.empty())
     {
-        fault_ = what;
+        diagnostic_ = what;
         line_ = line;
     }
 }
@@ -107,7 +107,7 @@ void Foam::fsbi::dictionaryText::checkEncoding()
 
 void Foam::fsbi::dictionaryText::checkHeader(const std::string& className)
 {
-    if (fault_.size() && line_ == 0)
+    if (diagnostic_.size() && line_ == 0)
     {
         return;
     }
@@ -133,7 +133,7 @@ void Foam::fsbi::dictionaryText::checkHeader(const std::string& className)
     }
     if (what.size())
     {
-        fault_ = what;
+        diagnostic_ = what;
         line_ = 1;
     }
 }
@@ -334,7 +334,7 @@ void Foam::fsbi::dictionaryText::take(const std::string& token)
 
 void Foam::fsbi::dictionaryText::scan()
 {
-    while (fault_.empty() && findToken())
+    while (diagnostic_.empty() && findToken())
     {
         const char c = text_[at_];
         if (isOneOf(c, "{(["))

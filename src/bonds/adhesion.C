@@ -13,13 +13,13 @@ Foam::fsbi::adhesion::adhesion
 (
     const dictionary& molecules,
     const dictionary& pairs,
-    const surroundings& around,
+    const effectContext& context,
     const scalar kT,
     const uint32_t seed
 )
 {
-    readPopulations(molecules, around, seed);
-    const surfacesNow surfaces(around);
+    readPopulations(molecules, context, seed);
+    const currentSurfaces surfaces(context);
     for (population& p : populations_)
     {
         if (!surfaces.isWall(p.surface))
@@ -52,11 +52,11 @@ Foam::fsbi::adhesion::adhesion
 
 void Foam::fsbi::adhesion::readPopulations
 (
-    const dictionary& dict, const surroundings& around, const uint32_t seed
+    const dictionary& dict, const effectContext& context, const uint32_t seed
 )
 {
     const checkedDictionary surfaces(dict);
-    const wordList names(around.names());
+    const wordList names(context.names());
     for (const entry& e : dict)
     {
         if (!names.found(e.keyword()))
@@ -64,7 +64,7 @@ void Foam::fsbi::adhesion::readPopulations
             FatalIOErrorInFunction(dict)
                 << "There is no body (constant/bodies) or plane wall '"
                 << e.keyword() << "' for 'molecules'"
-                << around.unseenReason(e.keyword()).c_str() << "; valid are "
+                << context.unseenReason(e.keyword()).c_str() << "; valid are "
                 << flatOutput(names) << exit(FatalIOError);
         }
     }
@@ -92,7 +92,7 @@ void Foam::fsbi::adhesion::readPopulations
                 p->blocked = timeFunction<scalar>("blocked", entries);
             }
             entries.finish();
-            p->blockedAt(around.time.value());
+            p->blockedAt(context.time.value());
             populations_.append(p.ptr());
         }
     }
@@ -138,7 +138,7 @@ Foam::fsbi::adhesion::siteSet& Foam::fsbi::adhesion::set
 (
     const label receptors,
     const bool faces,
-    const surfacesNow& surfaces,
+    const currentSurfaces& surfaces,
     const uint32_t seed
 )
 {
@@ -171,7 +171,7 @@ void Foam::fsbi::adhesion::addSets
 (
     const label pairi,
     const dictionary& dict,
-    const surfacesNow& surfaces,
+    const currentSurfaces& surfaces,
     const uint32_t seed
 )
 {

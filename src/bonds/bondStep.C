@@ -11,7 +11,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Foam::fsbi::bondStep::bondStep
 (
     const adhesion& a,
-    const surfacesNow& surfaces,
+    const currentSurfaces& surfaces,
     bondState& state,
     DynamicList<bondEvent>& events,
     const scalar time
@@ -82,16 +82,16 @@ void Foam::fsbi::bondStep::findMolecules
     // all molecules in reach count, whether or not they can bind
     scalar gap = GREAT, sum = 0;
     DynamicList<label> found;
-    candidate way{t.pair, t.ligands, 0, {}, -1};
+    candidate channel{t.pair, t.ligands, 0, {}, -1};
     forAll(s.sites, site)
     {
         const point x(surfaces_.position(s.body, s.sites[site]));
-        if (surfaces_.find(other, x, pair.rate->reach(), way.at))
+        if (surfaces_.find(other, x, pair.rate->reach(), channel.at))
         {
-            way.rate = density*pair.rate()(way.at.gap);
-            sum += way.rate;
-            gap = min(gap, way.at.gap);
-            if (offer(set, site, way))
+            channel.rate = density*pair.rate()(channel.at.gap);
+            sum += channel.rate;
+            gap = min(gap, channel.at.gap);
+            if (offer(set, site, channel))
             {
                 found.append(number_[{set, site}]);
             }
@@ -102,7 +102,7 @@ void Foam::fsbi::bondStep::findMolecules
         const scalar scale = globalRate(t, gap)*s.sites.size()/sum;
         for (const label i : found)
         {
-            active_[i].ways.last().rate *= scale;
+            active_[i].channels.last().rate *= scale;
         }
     }
 }
@@ -110,14 +110,14 @@ void Foam::fsbi::bondStep::findMolecules
 
 bool Foam::fsbi::bondStep::offer
 (
-    const label set, const label site, const candidate& way
+    const label set, const label site, const candidate& channel
 )
 {
-    const bool can = way.rate > 0
+    const bool can = channel.rate > 0
      && free_.unblocked({adhesion_.sets()[set].receptors, site, 0});
     if (can)
     {
-        activate(set, site).ways.append(way);
+        activate(set, site).channels.append(channel);
     }
     return can;
 }
@@ -125,40 +125,46 @@ bool Foam::fsbi::bondStep::offer
 
 Foam::fsbi::bond Foam::fsbi::bondStep::form
 (
-    const activeSite& s, const candidate& way, counterRandom::stream& draws
+    const activeSite& s,
+    const candidate& channel,
+    counterRandom::stream& draws
 )
 {
-    const adhesion::population& ligands = adhesion_.populations()[way.ligands];
+    const adhesion::population& ligands =
+        adhesion_.populations()[channel.ligands];
     bond b;
-    b.pair = way.pair;
+    b.pair = channel.pair;
     if (adhesion_.sets()[s.set].faces)
     {
-        const label n = ligands.numbers[way.triangle];
+        const label n = ligands.numbers[channel.triangle];
         const label i = min(label(draws.uniform()*n), n - 1);
-        b.end = materialPoint::centroid(way.triangle);
-        b.ligand = {way.ligands, ligands.first[way.triangle] + i, 0};
+        b.end = materialPoint::centroid(channel.triangle);
+        b.ligand = {channel.ligands, ligands.first[channel.triangle] + i, 0};
         return b;
     }
 
     const scalar r =
-        adhesion_.pairs()[way.pair].rate->distance(way.at.gap, draws.uniform());
+        adhesion_.pairs()[channel.pair].rate->distance
+        (
+            channel.at.gap, draws.uniform()
+        );
     const scalar angle = constant::mathematical::twoPi*draws.uniform();
-    const vector& n = way.at.normal;
-    const vector e1(surfacesNow::along(n));
+    const vector& n = channel.at.normal;
+    const vector e1(currentSurfaces::along(n));
     const vector along(Foam::cos(angle)*e1 + Foam::sin(angle)*(n ^ e1));
 
-    b.ligand.population = way.ligands;
+    b.ligand.population = channel.ligands;
     if (surfaces_.isWall(ligands.surface))
     {
-        b.anchor = way.at.nearest
-          + Foam::sqrt(max(sqr(r) - sqr(way.at.gap), scalar(0)))*along;
+        b.anchor = channel.at.nearest
+          + Foam::sqrt(max(sqr(r) - sqr(channel.at.gap), scalar(0)))*along;
     }
     else
     {
         b.end =
-            surfaces_.away(ligands.surface, s.place, way.at, along, r);
+            surfaces_.away(ligands.surface, s.place, channel.at, along, r);
     }
-    b.ligand = free_.at(way.ligands, end(adhesion_, surfaces_, b));
+    b.ligand = free_.at(channel.ligands, end(adhesion_, surfaces_, b));
     return b;
 }
 
@@ -186,7 +192,7 @@ void Foam::fsbi::bondStep::log
 
 Foam::point Foam::fsbi::bondStep::end
 (
-    const adhesion& a, const surfacesNow& surfaces, const bond& b
+    const adhesion& a, const currentSurfaces& surfaces, const bond& b
 )
 {
     const label surface = a.surface(b.ligand);
@@ -201,7 +207,7 @@ Foam::fsbi::bondStep::candidates(const label set, const label site) const
 {
     const auto found = number_.find({set, site});
     return
-        found == number_.end() ? nullptr : &active_[found->second].ways;
+        found == number_.end() ? nullptr : &active_[found->second].channels;
 }
 
 
@@ -236,9 +242,9 @@ Foam::scalar Foam::fsbi::bondStep::rate(const label i) const
         );
     }
     scalar sum = 0;
-    for (const candidate& way : s.ways)
+    for (const candidate& channel : s.channels)
     {
-        sum += way.rate;
+        sum += channel.rate;
     }
     return sum;
 }
@@ -262,11 +268,11 @@ void Foam::fsbi::bondStep::react
 
     scalar share = draws.uniform()*rate(i);
     label w = 0;
-    for (; w < s.ways.size() - 1 && share > s.ways[w].rate; ++w)
+    for (; w < s.channels.size() - 1 && share > s.channels[w].rate; ++w)
     {
-        share -= s.ways[w].rate;
+        share -= s.channels[w].rate;
     }
-    const bond b(form(s, s.ways[w], draws));
+    const bond b(form(s, s.channels[w], draws));
     // molecules that are not free are still counted in the rate: they say no
     if (free_.free(receptor(s)) && free_.free(b.ligand))
     {

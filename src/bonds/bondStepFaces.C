@@ -14,7 +14,7 @@ Foam::scalar Foam::fsbi::bondStep::smallestGap
     // an edge of one surface against an edge of the other is left out
     scalar smallest = reach;
     bool some = false;
-    surfacesNow::contact at;
+    currentSurfaces::contact at;
     for (const label turned : {0, 1})
     {
         for (const point& x : surfaces_.surface(turned ? b : a).points())
@@ -157,11 +157,11 @@ void Foam::fsbi::bondStep::findFaces
     for (const facePair& p : pairs)
     {
         const scalar k = scale*Foam::exp(p.logRate - largest);
-        const candidate way{t.pair, t.ligands, k, {}, p.j};
+        const candidate channel{t.pair, t.ligands, k, {}, p.j};
         const label first = receptors.first[p.i];
         for (label n = 0; n < receptors.numbers[p.i]; ++n)
         {
-            offer(set, first + n, way);
+            offer(set, first + n, channel);
         }
     }
 }

@@ -18,9 +18,9 @@ namespace fsbi
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsbi::bonds::bonds(const dictionary& dict, const surroundings& around)
+Foam::fsbi::bonds::bonds(const dictionary& dict, const effectContext& context)
 :
-    effect(around),
+    effect(context),
     maxStretch_(1),
     dt_(0)
 {
@@ -39,12 +39,12 @@ Foam::fsbi::bonds::bonds(const dictionary& dict, const surroundings& around)
     (
         new adhesion
         (
-            entries.subDict("molecules"), entries.subDict("pairs"), around, kT,
+            entries.subDict("molecules"), entries.subDict("pairs"), context, kT,
             seed
         )
     );
     entries.finish();
-    state_.slid.setSize(surfacesNow(around).size(), Zero);
+    state_.slid.setSize(currentSurfaces(context).size(), Zero);
 }
 
 
@@ -52,7 +52,7 @@ Foam::fsbi::bonds::bonds(const dictionary& dict, const surroundings& around)
 
 Foam::point Foam::fsbi::bonds::end
 (
-    const surfacesNow& surfaces, const bond& b
+    const currentSurfaces& surfaces, const bond& b
 ) const
 {
     const label surface = adhesion_->surface(b.ligand);
@@ -67,13 +67,13 @@ Foam::point Foam::fsbi::bonds::end
 
 void Foam::fsbi::bonds::apply(loads& l) const
 {
-    const surfacesNow now(around_);
+    const currentSurfaces now(context_);
     const auto site =
         [&](const label body, const materialPoint& at, const point& x)
     {
         return loads::site
         {
-            body, at.triangle, x - around_.bodies[body].placed().centre,
+            body, at.triangle, x - context_.bodies[body].placed().centre,
             at.weights()
         };
     };
@@ -110,11 +110,11 @@ void Foam::fsbi::bonds::beginStep()
 {
     old_ = state_;
     events_.clear();
-    const scalar dt = around_.time.deltaTValue();
-    const surfacesNow now(around_);
+    const scalar dt = context_.time.deltaTValue();
+    const currentSurfaces now(context_);
     bondStep step
     (
-        adhesion_(), now, state_, events_, around_.time.value() - dt
+        adhesion_(), now, state_, events_, context_.time.value() - dt
     );
     step.advance(dt);
     dt_ = dt;
@@ -131,7 +131,7 @@ void Foam::fsbi::bonds::rewind()
 
 void Foam::fsbi::bonds::endStep()
 {
-    const surfacesNow now(around_);
+    const currentSurfaces now(context_);
     for (auto& entry : state_.bonds)
     {
         bond& b = entry.second;

@@ -8,7 +8,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Foam::Pair<Foam::point> Foam::fsbi::bonds::ends
 (
-    const surfacesNow& surfaces, const bondMap::value_type& bond
+    const currentSurfaces& surfaces, const bondMap::value_type& bond
 ) const
 {
     const adhesion::siteSet& s = adhesion_->sets()[bond.first.first];
@@ -60,7 +60,7 @@ void Foam::fsbi::bonds::record(recording& history) const
             })
         );
     }
-    const surfacesNow now(around_);
+    const currentSurfaces now(context_);
     for (const auto& entry : state_.bonds)
     {
         const bond& b = entry.second;
@@ -89,7 +89,7 @@ void Foam::fsbi::bonds::draw
     const std::function<void(const fileName&, const std::string&)>& add
 ) const
 {
-    const surfacesNow now(around_);
+    const currentSurfaces now(context_);
     const label n = state_.bonds.size();
     OStringStream points, lines, pairs, tensions;
     points.precision(10);

@@ -7,7 +7,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Foam::scalar Foam::fsbi::bonds::longestStep(string& reason) const
 {
-    const surfacesNow now(around_);
+    const currentSurfaces now(context_);
     const scalar stretch = stretchTime(now);
     scalar approach = GREAT;
     for (const adhesion::siteSet& s : adhesion_->sets())
@@ -24,7 +24,7 @@ Foam::scalar Foam::fsbi::bonds::longestStep(string& reason) const
 }
 
 
-Foam::scalar Foam::fsbi::bonds::stretchTime(const surfacesNow& now) const
+Foam::scalar Foam::fsbi::bonds::stretchTime(const currentSurfaces& now) const
 {
     scalar longest = GREAT;
     for (const auto& entry : state_.bonds)
@@ -50,7 +50,7 @@ Foam::scalar Foam::fsbi::bonds::stretchTime(const surfacesNow& now) const
 
 Foam::scalar Foam::fsbi::bonds::approachTime
 (
-    const surfacesNow& now,
+    const currentSurfaces& now,
     const adhesion::siteSet& s,
     const adhesion::target& t
 ) const
@@ -61,11 +61,11 @@ Foam::scalar Foam::fsbi::bonds::approachTime
     const scalar allowed = maxStretch_*pair.law->thermalLength();
 
     // what the next step, of up to twice the length, may bring near
-    const scalar margin = 2*around_.time.deltaTValue()
+    const scalar margin = 2*context_.time.deltaTValue()
        *(now.fastest(s.body) + now.fastest(other));
 
     scalar longest = GREAT;
-    surfacesNow::contact at;
+    currentSurfaces::contact at;
     for (const materialPoint& site : s.sites)
     {
         const point x(now.position(s.body, site));

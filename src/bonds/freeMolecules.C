@@ -10,7 +10,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Foam::fsbi::freeMolecules::freeMolecules
 (
     const adhesion& a,
-    const surfacesNow& surfaces,
+    const currentSurfaces& surfaces,
     const UList<vector>& slid,
     const scalar time
 )
@@ -65,7 +65,7 @@ Foam::fsbi::molecule Foam::fsbi::freeMolecules::patch
 {
     const adhesion::population& p = adhesion_.populations()[population];
     const planeWall& wall = surfaces_.wall(p.surface);
-    const vector e1(surfacesNow::along(wall.normal));
+    const vector e1(currentSurfaces::along(wall.normal));
     const vector e2(wall.normal ^ e1);
     const vector d(Foam::sqrt(p.density)*(x - slid_[p.surface]));
 

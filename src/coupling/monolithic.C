@@ -35,7 +35,7 @@ Foam::fsbi::monolithic::monolithic
 {
     for (const solidRegion& solid : solids)
     {
-        solidSolver::tellUnused
+        solidSolver::reportUnused
         (
             solid.mesh().solutionDict().subOrEmptyDict("solid"), solid.name()
         );
@@ -89,6 +89,6 @@ Foam::fsbi::outcome Foam::fsbi::monolithic::solve(List<bodyRows>& rows)
     return outcome::failed
     (
         "fluid and bodies do not agree after " + name(maxCorrections)
-      + " corrections: the residual is " + name(report_.residual)
+      + " Newton iterations: the residual is " + name(report_.residual)
     );
 }

@@ -135,7 +135,7 @@ Foam::scalar Foam::fsbi::partitioned::scale() const
     scalar rate = 0;
     for (const elasticRows* body : elastic_)
     {
-        rate = max(rate, body->rate);
+        rate = max(rate, body->velocityCoeff);
     }
     // before a flow at rest has begun to move, a length will do
     const scalar speed = fluid_.speed();
@@ -160,7 +160,7 @@ Foam::fsbi::boundarySpring Foam::fsbi::partitioned::spring
 
     boundarySpring s;
     s.stiffness =
-        (robin_*fluid_.stokes().mu()/radius*body.rate)*area*tensor::I;
+        (robin_*fluid_.stokes().mu()/radius*body.velocityCoeff)*area*tensor::I;
     if (fluid_.acting().onElastic())
     {
         body.solid.addToFaces

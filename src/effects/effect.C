@@ -29,15 +29,15 @@ static void loadLibraryOf(const word& type)
 } // End namespace Foam
 
 
-Foam::fsbi::effect::effect(const surroundings& around)
+Foam::fsbi::effect::effect(const effectContext& context)
 :
-    around_(around)
+    context_(context)
 {}
 
 
 Foam::autoPtr<Foam::fsbi::effect> Foam::fsbi::effect::New
 (
-    const entry& e, const surroundings& around
+    const entry& e, const effectContext& context
 )
 {
     const word& type = e.keyword();
@@ -64,5 +64,5 @@ Foam::autoPtr<Foam::fsbi::effect> Foam::fsbi::effect::New
             << flatOutput(wordHashSet(valid).sortedToc())
             << exit(FatalIOError);
     }
-    return (*entriesConstructorTablePtr_)[type](e.dict(), around);
+    return (*entriesConstructorTablePtr_)[type](e.dict(), context);
 }

@@ -19,7 +19,7 @@ Foam::fsbi::effectList::effectList
 )
 :
     timings_(t),
-    around_({time, bodies, walls, mu, unseen}),
+    context_({time, bodies, walls, mu, unseen}),
     triangles_(triangles)
 {
     read(saved);
@@ -32,7 +32,7 @@ void Foam::fsbi::effectList::read(const dictionary& saved)
     (
         IOobject
         (
-            "effects", around_.time.caseConstant(), around_.time,
+            "effects", context_.time.caseConstant(), context_.time,
             IOobject::MUST_READ, IOobject::NO_WRITE, false
         )
     );
@@ -49,7 +49,7 @@ void Foam::fsbi::effectList::read(const dictionary& saved)
                 << " is name { ... }" << exit(FatalIOError);
         }
         auto timer = timings_.profileMemory(e.keyword());
-        effects_.append(effect::New(e, around_));
+        effects_.append(effect::New(e, context_));
     }
     restore(saved);
     if (effects_.empty())
@@ -59,13 +59,13 @@ void Foam::fsbi::effectList::read(const dictionary& saved)
     else
     {
         Info<< "Effects: ";
-        tellNames(Info);
+        reportNames(Info);
         Info<< nl << endl;
     }
 }
 
 
-void Foam::fsbi::effectList::tell(const word& patch, const string& what)
+void Foam::fsbi::effectList::report(const word& patch, const string& what)
 {
     if (told_.insert(patch))
     {
@@ -77,21 +77,21 @@ void Foam::fsbi::effectList::tell(const word& patch, const string& what)
 void Foam::fsbi::effectList::setWalls(const List<planeWall>& walls)
 {
     wordHashSet gone;
-    for (const planeWall& wall : around_.walls)
+    for (const planeWall& wall : context_.walls)
     {
         gone.insert(wall.name);
     }
     for (const planeWall& wall : walls)
     {
-        const label w = around_.findWall(wall.name);
+        const label w = context_.findWall(wall.name);
         gone.erase(wall.name);
         if (w >= 0)
         {
-            around_.walls[w] = wall;
+            context_.walls[w] = wall;
         }
         else
         {
-            tell(wall.name, "has become a plane wall; effects do not see it");
+            report(wall.name, "has become a plane wall; effects do not see it");
         }
     }
     for (const word& name : gone.sortedToc())
@@ -117,7 +117,7 @@ Foam::wordList Foam::fsbi::effectList::names() const
 }
 
 
-void Foam::fsbi::effectList::tellNames(Ostream& os) const
+void Foam::fsbi::effectList::reportNames(Ostream& os) const
 {
     forAll(effects_, i)
     {

@@ -26,10 +26,13 @@ static bool nearWall
 
 static bool nearBody
 (
-    const surfacesNow& now, const label other, const scalar reach, neighbour& n
+    const currentSurfaces& now,
+    const label other,
+    const scalar reach,
+    neighbour& n
 )
 {
-    surfacesNow::contact c;
+    currentSurfaces::contact c;
     if (!now.find(other, n.centre, reach, c))
     {
         return false;
@@ -54,7 +57,7 @@ static bool nearBody
 
 Foam::DynamicList<Foam::fsbi::neighbour> Foam::fsbi::neighbours
 (
-    const surfacesNow& now,
+    const currentSurfaces& now,
     const label body,
     const label other,
     const scalar reach

@@ -8,16 +8,16 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Foam::scalar Foam::fsbi::timeToContact
 (
-    const surroundings& around, const scalar reach, string& names
+    const effectContext& context, const scalar reach, string& names
 )
 {
-    const surfacesNow now(around);
+    const currentSurfaces now(context);
     const auto velocity = [&](const label surface, const label triangle)
     {
         return now.velocity(surface, materialPoint::centroid(triangle));
     };
     scalar shortest = GREAT;
-    forAll(around.bodies, a)
+    forAll(context.bodies, a)
     {
         for (label b = 0; b < now.size(); ++b)
         {

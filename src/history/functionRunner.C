@@ -29,7 +29,7 @@ static const wordList keywords
 });
 
 //- OpenFOAM ignores what it does not know
-static void tellSlips(const dictionary& dict)
+static void reportSlips(const dictionary& dict)
 {
     for (const entry& e : dict)
     {
@@ -141,7 +141,7 @@ void Foam::fsbi::functionRunner::check() const
         {
             continue;
         }
-        tellSlips(e.dict());
+        reportSlips(e.dict());
         const word type(e.dict().getOrDefault<word>("type", word::null));
         if (type == "forces" || type == "forceCoeffs")
         {
@@ -205,7 +205,7 @@ void Foam::fsbi::functionRunner::readAgain(const fvMesh& mesh)
 }
 
 
-void Foam::fsbi::functionRunner::tellOfMotion(const fvMesh& mesh)
+void Foam::fsbi::functionRunner::notifyMotion(const fvMesh& mesh)
 {
     if (mesh.pointsInstance() != time_.timeName())
     {
@@ -220,7 +220,7 @@ void Foam::fsbi::functionRunner::tellOfMotion(const fvMesh& mesh)
 }
 
 
-void Foam::fsbi::functionRunner::tellOfNewMesh(const fvMesh& mesh)
+void Foam::fsbi::functionRunner::notifyNewMesh(const fvMesh& mesh)
 {
     const autoPtr<mapPolyMesh> map(newMesh(mesh));
     functionObjectList& list = time_.functionObjects();
@@ -232,11 +232,11 @@ void Foam::fsbi::functionRunner::tellOfNewMesh(const fvMesh& mesh)
 }
 
 
-void Foam::fsbi::functionRunner::tellOfMeshes()
+void Foam::fsbi::functionRunner::notifyMeshes()
 {
     for (const solidRegion& solid : scene_.solids())
     {
-        tellOfMotion(solid.mesh());
+        notifyMotion(solid.mesh());
     }
     if (!scene_.hasFluid())
     {
@@ -246,11 +246,11 @@ void Foam::fsbi::functionRunner::tellOfMeshes()
     if (now != generation_)
     {
         generation_ = now;
-        tellOfNewMesh(scene_.fluid().mesh());
+        notifyNewMesh(scene_.fluid().mesh());
     }
     else
     {
-        tellOfMotion(scene_.fluid().mesh());
+        notifyMotion(scene_.fluid().mesh());
     }
 }
 
@@ -269,7 +269,7 @@ void Foam::fsbi::functionRunner::execute(const bool saved)
         clockState::writes(time_) = true;
     }
     list.on();
-    tellOfMeshes();
+    notifyMeshes();
     list.execute();
     const bool modified = list.filesModified();
     list.off();

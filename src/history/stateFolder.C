@@ -167,7 +167,7 @@ void Foam::fsbi::stateFolder::writeManifest()
     if (failure_.empty())
     {
         std::string id;
-        failure_ = fault(part_, id);
+        failure_ = failureReason(part_, id);
     }
 }
 
@@ -205,7 +205,7 @@ bool Foam::fsbi::stateFolder::readManifest
 }
 
 
-std::string Foam::fsbi::stateFolder::fault
+std::string Foam::fsbi::stateFolder::failureReason
 (
     const fileName& folder,
     std::string& id
@@ -363,7 +363,7 @@ void Foam::fsbi::stateFolder::recover(const fileName& path)
         const fileName part(path/(name + partEnding)), final(path/name);
         std::string partId, finalId;
         DynamicList<record> records;
-        if (!fault(part, partId).empty())
+        if (!failureReason(part, partId).empty())
         {
             partId.clear();
         }
@@ -400,26 +400,26 @@ void Foam::fsbi::stateFolder::recover(const fileName& path)
 void Foam::fsbi::stateFolder::refuse
 (
     const fileName& folder,
-    const UList<string>& faults,
+    const UList<string>& failures,
     const UList<string>& ids
 )
 {
-    forAll(faults, rank)
+    forAll(failures, rank)
     {
-        const string fault
+        const string failure
         (
-            faults[rank].size() || ids[rank] == ids[0]
-          ? faults[rank]
+            failures[rank].size() || ids[rank] == ids[0]
+          ? failures[rank]
           : string
             (
                 "the processors' parts of " + folder + " were saved at"
                 " different moments"
             )
         );
-        if (!fault.empty())
+        if (!failure.empty())
         {
             FatalErrorInFunction
-                << "The saved state cannot be used: " << fault.c_str()
+                << "The saved state cannot be used: " << failure.c_str()
                 << ". To start from an earlier time, remove " << folder
                 << exit(FatalError);
         }
@@ -430,30 +430,30 @@ void Foam::fsbi::stateFolder::refuse
 void Foam::fsbi::stateFolder::verify(const fileName& folder)
 {
     std::string id;
-    List<string> faults(Pstream::nProcs());
+    List<string> failures(Pstream::nProcs());
     List<string> ids(Pstream::nProcs());
-    faults[Pstream::myProcNo()] = fault(folder, id);
+    failures[Pstream::myProcNo()] = failureReason(folder, id);
     ids[Pstream::myProcNo()] = id;
-    Pstream::gatherList(faults);
+    Pstream::gatherList(failures);
     Pstream::gatherList(ids);
     if (Pstream::master())
     {
-        refuse(folder, faults, ids);
+        refuse(folder, failures, ids);
     }
 }
 
 
 void Foam::fsbi::stateFolder::verify(const fileNameList& folders)
 {
-    List<string> faults(folders.size());
+    List<string> failures(folders.size());
     List<string> ids(folders.size());
     forAll(folders, i)
     {
         std::string id;
-        faults[i] = fault(folders[i], id);
+        failures[i] = failureReason(folders[i], id);
         ids[i] = id;
     }
-    refuse(folders[0], faults, ids);
+    refuse(folders[0], failures, ids);
 }
 
 

@@ -33,10 +33,10 @@ static const scalar along = 1e-3;
 
 Foam::fsbi::controller::controller
 (
-    const dictionary& dict, const surroundings& around, const units& u
+    const dictionary& dict, const effectContext& context, const units& u
 )
 :
-    around_(around),
+    context_(context),
     normal_(Zero),
     next_(0),
     leg_(0),
@@ -66,7 +66,7 @@ Foam::fsbi::controller::controller
     entries.finish();
     checkLaw(dict);
     checkCurrents(dict);
-    measure(around_.time.value());
+    measure(context_.time.value());
 }
 
 
@@ -84,7 +84,7 @@ void Foam::fsbi::controller::readBodies(const checkedDictionary& entries)
                 << " ...; }" << exit(FatalIOError);
         }
         const checkedDictionary body(e.dict());
-        bodies_.append(around_.bodyIndex(e.keyword(), dict));
+        bodies_.append(context_.bodyIndex(e.keyword(), dict));
         points_.append(body.getOrDefault<pointField>("via", pointField()));
         points_.last().append(body.get<point>("target"));
         lastLeg_ = max(lastLeg_, points_.last().size() - 1);
@@ -127,7 +127,7 @@ void Foam::fsbi::controller::checkLaw(const dictionary& where) const
     string speeds;
     forAll(bodies_, i)
     {
-        speeds += "\n    " + around_.bodies[bodies_[i]].name() + ':';
+        speeds += "\n    " + context_.bodies[bodies_[i]].name() + ':';
         forAll(frequencies_, k)
         {
             speeds += ' ' + Foam::name(law_->speed(i, k));
@@ -188,14 +188,14 @@ Foam::scalarField Foam::fsbi::controller::currents(const scalar t) const
 }
 
 
-Foam::vectorField Foam::fsbi::controller::ways() const
+Foam::vectorField Foam::fsbi::controller::displacements() const
 {
     vectorField result(bodies_.size());
     forAll(result, i)
     {
         result[i] =
             points_[i][min(leg_, points_[i].size() - 1)]
-          - around_.bodies[bodies_[i]].placed().centre;
+          - context_.bodies[bodies_[i]].placed().centre;
         result[i] -= (result[i] & normal_)*normal_;
     }
     return result;
@@ -204,7 +204,7 @@ Foam::vectorField Foam::fsbi::controller::ways() const
 
 bool Foam::fsbi::controller::there() const
 {
-    return max(mag(ways())) <= tolerance_;
+    return max(mag(displacements())) <= tolerance_;
 }
 
 
@@ -264,7 +264,7 @@ void Foam::fsbi::controller::measure(const scalar t)
     next_ = t + period_;
     if (!arrived)
     {
-        const vectorField times(law_->times(ways()));
+        const vectorField times(law_->times(displacements()));
         const label mode = chosen(times);
         now_.mode = mode;
         now_.stop = t + min(mag(times[mode]), period_);
@@ -296,10 +296,10 @@ void Foam::fsbi::controller::report() const
         Info<< ", leg " << leg_ + 1 << " of " << lastLeg_ + 1;
     }
     Info<< ", distances";
-    const scalarField distances(mag(ways()));
+    const scalarField distances(mag(displacements()));
     forAll(bodies_, i)
     {
-        Info<< ' ' << around_.bodies[bodies_[i]].name() << ' ' << distances[i];
+        Info<< ' ' << context_.bodies[bodies_[i]].name() << ' ' << distances[i];
     }
     Info<< endl;
 }
@@ -328,7 +328,7 @@ void Foam::fsbi::controller::beginStep()
 
 void Foam::fsbi::controller::endStep()
 {
-    const scalar t = around_.time.value();
+    const scalar t = context_.time.value();
     if (t >= next_ - sameTime())
     {
         measure(t);
@@ -346,7 +346,7 @@ void Foam::fsbi::controller::declare(recording& history) const
     columns.append(wordList({"mode", "hx", "hy", "hz", "leg"}));
     for (const label b : bodies_)
     {
-        columns.append("distance." + around_.bodies[b].name());
+        columns.append("distance." + context_.bodies[b].name());
     }
     history.declare("magnetics/controller", columns, "I: A, distance: L");
 }
@@ -354,7 +354,7 @@ void Foam::fsbi::controller::declare(recording& history) const
 
 void Foam::fsbi::controller::record(recording& history) const
 {
-    const scalar t = around_.time.value();
+    const scalar t = context_.time.value();
     const order& o = orderAt(t);
     const bool on = mag(direction(o, t)) > 0;
     scalarList row(currents(t));
@@ -367,7 +367,7 @@ void Foam::fsbi::controller::record(recording& history) const
             scalar(leg_ + 1)
         })
     );
-    row.append(mag(ways())());
+    row.append(mag(displacements())());
     history.append("magnetics/controller", row);
 }
 

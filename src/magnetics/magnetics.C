@@ -28,10 +28,10 @@ static const label nHalvings = 20;
 
 Foam::fsbi::magnetics::magnetics
 (
-    const dictionary& dict, const surroundings& around
+    const dictionary& dict, const effectContext& context
 )
 :
-    effect(around),
+    effect(context),
     units_(checkedDictionary(dict)),
     fields_
     (
@@ -63,7 +63,7 @@ Foam::fsbi::magnetics::magnetics
 
 void Foam::fsbi::magnetics::readController(const dictionary& dict)
 {
-    controller_.reset(new controller(dict, around_, units_));
+    controller_.reset(new controller(dict, context_, units_));
     for (const label b : controller_->bodies())
     {
         wordList turning;
@@ -80,7 +80,7 @@ void Foam::fsbi::magnetics::readController(const dictionary& dict)
         {
             FatalIOErrorInFunction(dict)
                 << "A turning field does not turn the body '"
-                << around_.bodies[b].name() << "': it is not magnetic, or"
+                << context_.bodies[b].name() << "': it is not magnetic, or"
                 << " without a preferred axis; bodies that it turns are "
                 << flatOutput(turning) << exit(FatalIOError);
         }
@@ -98,11 +98,11 @@ void Foam::fsbi::magnetics::readBodies(const dictionary& dict)
                 << "Entry '" << e.keyword() << "' is no dictionary: a magnetic"
                 << " body is name { type ...; }" << exit(FatalIOError);
         }
-        const label b = around_.bodyIndex(e.keyword(), dict);
-        const immersedBody& body = around_.bodies[b];
+        const label b = context_.bodyIndex(e.keyword(), dict);
+        const immersedBody& body = context_.bodies[b];
         const vector B
         (
-            fields_.B(body.placed().centre, around_.time.value())
+            fields_.B(body.placed().centre, context_.time.value())
         );
         magnets_.append
         (
@@ -144,7 +144,7 @@ bool Foam::fsbi::magnetics::follows
     const magnet& m, const point& x, const scalar dt
 ) const
 {
-    const scalar t = around_.time.value();
+    const scalar t = context_.time.value();
     const vector now(fields_.B(x, t)), then(fields_.B(x, t + dt));
     return
         mag(then - now) <= twoPi/stepsPerTurn_*max(m.largestB, mag(then));
@@ -159,9 +159,9 @@ Foam::scalar Foam::fsbi::magnetics::longestStep(string& reason) const
     scalar longest = GREAT;
     for (const magnet& m : magnets_)
     {
-        const point x(around_.bodies[m.body].placed().centre);
+        const point x(context_.bodies[m.body].placed().centre);
         // from the shortest on: a field may be back after a whole turn
-        scalar dt = 2*around_.time.deltaTValue()/(1 << nHalvings);
+        scalar dt = 2*context_.time.deltaTValue()/(1 << nHalvings);
         label n = 0;
         while (m.largestB > 0 && n <= nHalvings && follows(m, x, dt))
         {
@@ -248,7 +248,7 @@ void Foam::fsbi::magnetics::beginStep()
 void Foam::fsbi::magnetics::endStep()
 {
     const List<state> all(states());
-    const scalar t = around_.time.value();
+    const scalar t = context_.time.value();
     forAll(all, i)
     {
         // where there is no field nothing can lag

@@ -25,7 +25,7 @@ void Foam::fsbi::magnetics::draw
 ) const
 {
     boundBox box;
-    for (const immersedBody& b : around_.bodies)
+    for (const immersedBody& b : context_.bodies)
     {
         const bodySurface surface(b.placedSurface());
         const boundBox body(surface.points(), false);
@@ -34,7 +34,7 @@ void Foam::fsbi::magnetics::draw
         box.add(body.max() + margin);
     }
     const vector step(box.span()/(gridPoints - 1));
-    const scalar t = around_.time.value();
+    const scalar t = context_.time.value();
 
     OStringStream os;
     os.precision(6);

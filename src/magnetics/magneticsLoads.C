@@ -69,7 +69,7 @@ Foam::scalar Foam::fsbi::magnetics::forceStiffness
 ) const
 {
     const magnet& magnet = magnets_[magneti];
-    const scalar t = around_.time.value();
+    const scalar t = context_.time.value();
     const scalar h = 1e-3*cbrt(magnet.volume)*units_.metre();
     const auto force = [&](const point& x)
     {
@@ -147,7 +147,7 @@ void Foam::fsbi::magnetics::addPair
 Foam::List<Foam::fsbi::magnetics::state>
 Foam::fsbi::magnetics::states() const
 {
-    const scalar t = around_.time.value();
+    const scalar t = context_.time.value();
     List<state> all(magnets_.size());
     forAll(all, i)
     {

@@ -71,15 +71,15 @@ Foam::fsbi::steeringLaw::steeringLaw
 
 Foam::vectorField Foam::fsbi::steeringLaw::times
 (
-    const vectorField& ways
+    const vectorField& displacements
 ) const
 {
     vectorField result(times_.m(), Zero);
     forAll(result, k)
     {
-        forAll(ways, i)
+        forAll(displacements, i)
         {
-            result[k] += times_(k, i)*ways[i];
+            result[k] += times_(k, i)*displacements[i];
         }
     }
     return result;

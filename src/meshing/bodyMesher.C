@@ -17,7 +17,7 @@ namespace fsbi
 {
 
 //- Degrees above its limit that a mesh may have for want of a better one: this
-//  one does not wear
+//  one does not degrade
 static const scalar moreBorne = 5;
 
 static void checkSurface(const word& name, const bodySurface& surface)

@@ -296,7 +296,7 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
 }
 
 
-Foam::scalar Foam::fsbi::conformalMesher::tellCells
+Foam::scalar Foam::fsbi::conformalMesher::reportCells
 (
     const UList<bodySurface>& bodies,
     const bodySurface& walls,
@@ -401,7 +401,7 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
     (
         domain_, shift, walls, bodies, cyclics_.translations(), controls_
     );
-    mesh.failure = tooManyCells(tellCells(bodies, walls, size), controls_);
+    mesh.failure = tooManyCells(reportCells(bodies, walls, size), controls_);
     if (mesh.valid())
     {
         mesh = firstGoodMesh

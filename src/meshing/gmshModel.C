@@ -189,11 +189,11 @@ Foam::string Foam::fsbi::gmshModel::generate
     }
     catch (...)
     {
-        return "gmsh: " + session_.complaints();
+        return "gmsh: " + session_.errors();
     }
     if (nodes.empty())
     {
-        return "gmsh made no cells: " + session_.complaints();
+        return "gmsh made no cells: " + session_.errors();
     }
 
     points = readPoints();

@@ -40,7 +40,7 @@ Foam::fsbi::gmshSession::~gmshSession()
 }
 
 
-std::string Foam::fsbi::gmshSession::complaints() const
+std::string Foam::fsbi::gmshSession::errors() const
 {
     std::vector<std::string> log;
     gmsh::logger::get(log);

@@ -156,7 +156,7 @@ Foam::fsbi::meshQuality::meshQuality
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::string Foam::fsbi::meshQuality::complaint
+Foam::string Foam::fsbi::meshQuality::failureReason
 (
     const remeshControls& limits, const scalar twist
 ) const

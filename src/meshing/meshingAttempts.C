@@ -37,14 +37,14 @@ Foam::fsbi::meshLists Foam::fsbi::firstGoodMesh
         if (mesh.valid())
         {
             const meshQuality quality(mesh);
-            mesh.failure = quality.complaint(controls);
+            mesh.failure = quality.failureReason(controls);
             if (mesh.valid())
             {
                 return mesh;
             }
             if
             (
-                quality.complaint(loose).empty()
+                quality.failureReason(loose).empty()
              && quality.maxNonOrthogonality < least
             )
             {

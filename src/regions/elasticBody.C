@@ -23,7 +23,7 @@ namespace fsbi
 static const scalar poorAngle = 75, poorSkewness = 4;
 
 //- Why a mesh of the user's cannot be used; what may be inaccurate is told
-static string faultOfGiven(const word& name, const meshLists& whole)
+static string failureOfGiven(const word& name, const meshLists& whole)
 {
     const meshQuality quality(whole);
     if (!(quality.minVolume > 0))
@@ -202,7 +202,7 @@ Foam::autoPtr<Foam::fvMesh> Foam::fsbi::elasticBody::makeMesh
     }
     if (Pstream::master() && !shape_ && whole.valid())
     {
-        whole.failure = faultOfGiven(name_, whole);
+        whole.failure = failureOfGiven(name_, whole);
     }
     Pstream::scatter(whole.failure);
     if (!whole.valid())

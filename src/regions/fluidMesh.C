@@ -16,7 +16,7 @@ namespace fsbi
 
 //- Degrees of non-orthogonality that a mesh may lose before it is made anew,
 //  where a gap allows none that is good
-static const scalar wear = 3;
+static const scalar loss = 3;
 
 //- Fatal if the domain has cells without volume
 static void checkDomain(const polyMesh& domain)
@@ -218,7 +218,7 @@ void Foam::fsbi::fluidMesh::measureReference()
     referenceNonOrthogonality_ = meshQuality(mesh()).maxNonOrthogonality;
     const bodySurface walls
     (
-        rigidBlendMotion::domainBoundary(mesh(), namesOf(bodies_))
+        inverseDistanceMotion::domainBoundary(mesh(), namesOf(bodies_))
     );
     walls_.reset(new surfaceDistance(walls.points(), walls.triangles()));
 }
@@ -278,25 +278,25 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::follow
     const untrapped scope;
     move();
 
-    // a mesh that could not be made better is not worn out from the start
+    // a mesh that could not be made better is not degraded from the start
     remeshControls controls(remeshDict_);
     controls.maxNonOrthogonality = max
     (
         controls.maxNonOrthogonality,
-        min(referenceNonOrthogonality_ + wear, remeshControls::bearable)
+        min(referenceNonOrthogonality_ + loss, remeshControls::bearable)
     );
-    const string worn
+    const string reason
     (
-        meshQuality(mesh(), referenceVolumes_).complaint
+        meshQuality(mesh(), referenceVolumes_).failureReason
         (
             controls, motion_->twist()
         )
     );
-    if (worn.empty())
+    if (reason.empty())
     {
         return outcome();
     }
-    Info<< "Remeshing: " << worn.c_str() << endl;
+    Info<< "Remeshing: " << reason.c_str() << endl;
     const outcome made(generate(release));
     if (!made)
     {

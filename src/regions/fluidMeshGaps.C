@@ -69,7 +69,10 @@ Foam::string Foam::fsbi::fluidMesh::bodyThatLeaves(const scalar gap) const
         (
             others, [&](const word& name) { return name != patch.name(); }
         );
-        const bodySurface open(rigidBlendMotion::domainBoundary(mesh(), others));
+        const bodySurface open
+        (
+            inverseDistanceMotion::domainBoundary(mesh(), others)
+        );
         const surfaceDistance surface(open.points(), open.triangles());
         for (const immersedBody& body : bodies_)
         {

@@ -3,7 +3,7 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "displacementSpread.H"
+#include "laplacianMotion.H"
 #include "fluidMotion.H"
 #include "surfaceMap.H"
 #include "polyMesh.H"
@@ -70,9 +70,12 @@ Foam::fsbi::fluidMotion::~fluidMotion()
 
 void Foam::fsbi::fluidMotion::create()
 {
-    blend_.reset
+    inverseDistance_.reset
     (
-        new rigidBlendMotion(mesh_, namesOf(bodies_), surfaces_, placements_)
+        new inverseDistanceMotion
+        (
+            mesh_, namesOf(bodies_), surfaces_, placements_
+        )
     );
     meshPoints_.setSize(bodies_.size());
     surfacePoints_.setSize(bodies_.size());
@@ -83,9 +86,9 @@ void Foam::fsbi::fluidMotion::create()
             const polyPatch& patch = mesh_.boundaryMesh()[bodies_[b].name()];
             meshPoints_[b] = patch.meshPoints();
             surfacePoints_[b] = surfaceMap(patch, surfaces_[b]).points();
-            if (!spread_)
+            if (!laplacian_)
             {
-                spread_.reset(new displacementSpread(mesh_));
+                laplacian_.reset(new laplacianMotion(mesh_));
             }
         }
     }
@@ -105,8 +108,8 @@ Foam::List<Foam::fsbi::placement> Foam::fsbi::fluidMotion::placementsNow() const
 
 Foam::pointField Foam::fsbi::fluidMotion::points(const vector& frameShift) const
 {
-    pointField x(blend_->move(placementsNow(), frameShift));
-    if (!spread_)
+    pointField x(inverseDistance_->move(placementsNow(), frameShift));
+    if (!laplacian_)
     {
         return x;
     }
@@ -125,7 +128,7 @@ Foam::pointField Foam::fsbi::fluidMotion::points(const vector& frameShift) const
     }
     // processors with a point of the patch, but no face of it
     syncTools::syncPointList(mesh_, r, maxMagSqrEqOp<vector>(), vector::zero);
-    spread_->fill(r);
+    laplacian_->fill(r);
     x += r;
     return x;
 }
@@ -133,7 +136,7 @@ Foam::pointField Foam::fsbi::fluidMotion::points(const vector& frameShift) const
 
 Foam::scalar Foam::fsbi::fluidMotion::twist() const
 {
-    return blend_->twist(placementsNow());
+    return inverseDistance_->twist(placementsNow());
 }
 
 

@@ -53,7 +53,7 @@ Foam::fsbi::fluidRegion::fluidRegion
     if (momentum_->terms().size())
     {
         Info<< "Momentum equation with: ";
-        momentum_->tellNames(Info);
+        momentum_->reportNames(Info);
         Info<< nl << endl;
     }
 }

@@ -73,7 +73,7 @@ bool Foam::fsbi::solidRegion::evaluate()
     }
     if (rows_.tethered())
     {
-        forces_ -= rows_.share*rows_.tether;
+        forces_ -= rows_.constraintWeight*rows_.multiplier;
     }
     if (rows_.acting.size())
     {
@@ -159,7 +159,8 @@ void Foam::fsbi::solidRegion::setRows()
     rows_.centres = centres_ + movedCells_;
     if (rows_.tethered())
     {
-        rows_.place = tethered_ - gSum(vectorField(rows_.share*movedCells_));
+        rows_.targetDisplacement =
+            tethered_ - gSum(vectorField(rows_.constraintWeight*movedCells_));
     }
     wetted_->setVelocity(rows_);
 }

@@ -173,7 +173,7 @@ void Foam::fsbi::solidRegion::setTether()
     {
         const scalar pi = constant::mathematical::pi;
         const scalar volume = gSum(volumes_);
-        rows_.share = volumes_/volume;
+        rows_.constraintWeight = volumes_/volume;
         rows_.radius = cbrt(0.75*volume/pi);
     }
 }
@@ -311,7 +311,7 @@ void Foam::fsbi::solidRegion::start()
         wetted_->start(rows_);
         if (rows_.tethered())
         {
-            tethered_ = gSum(vectorField(rows_.share*cells()));
+            tethered_ = gSum(vectorField(rows_.constraintWeight*cells()));
         }
     }
     setFields();

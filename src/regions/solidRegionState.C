@@ -16,12 +16,12 @@ void Foam::fsbi::solidRegion::visitState(const Visitor& visit)
     visit("faceForce", balance_.force());
     if (moves())
     {
-        visit("prior", elastic_->state().referenceF());
-        visit("carried", elastic_->jumpHistory());
+        visit("referenceF", elastic_->state().referenceF());
+        visit("jumpHistory", elastic_->jumpHistory());
     }
     if (material_->viscosity() > 0)
     {
-        visit("before", elastic_->state().oldF());
+        visit("oldF", elastic_->state().oldF());
     }
     motion_->fields
     (
@@ -87,7 +87,7 @@ void Foam::fsbi::solidRegion::save(dictionary& state) const
         wetted_->save(surface);
         state.set("surface", surface);
         state.set("fluidForce", fluidForce_);
-        state.set("tether", rows_.tether);
+        state.set("tether", rows_.multiplier);
         state.set("place", tethered_);
     }
 }
@@ -117,7 +117,7 @@ void Foam::fsbi::solidRegion::restore(const dictionary& state)
     {
         wetted_->restore(state.subDict("surface"));
         fluidForce_ = state.get<vector>("fluidForce");
-        rows_.tether = state.get<vector>("tether");
+        rows_.multiplier = state.get<vector>("tether");
         tethered_ = state.get<vector>("place");
     }
     visitState

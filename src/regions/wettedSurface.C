@@ -236,7 +236,7 @@ void Foam::fsbi::wettedSurface::setSurface(elasticRows& rows) const
 
 void Foam::fsbi::wettedSurface::setVelocity(elasticRows& rows) const
 {
-    rows.rate = motion_.velocityCoeff();
+    rows.velocityCoeff = motion_.velocityCoeff();
     rows.knownPoints = part(motion_.knownVelocity(), true);
     rows.knownFaces = part(motion_.knownVelocity(), false);
 }

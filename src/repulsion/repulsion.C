@@ -25,10 +25,10 @@ static const scalar nearest = 0.01;
 
 Foam::fsbi::repulsion::repulsion
 (
-    const dictionary& dict, const surroundings& around
+    const dictionary& dict, const effectContext& context
 )
 :
-    effect(around),
+    effect(context),
     perTriangle_
     (
         checkedDictionary(dict).choice
@@ -53,7 +53,7 @@ Foam::fsbi::repulsion::repulsion
     }
     entries.found("between") ? readPairs(dict) : findAll();
     entries.finish();
-    tellUnseen("Nothing is repelled from", unrepelled());
+    reportUnseen("Nothing is repelled from", unrepelled());
 
     const outcome now(acceptable());
     if (!now)
@@ -66,8 +66,8 @@ Foam::fsbi::repulsion::repulsion
 
 void Foam::fsbi::repulsion::findAll()
 {
-    const surfacesNow now(around_);
-    forAll(around_.bodies, a)
+    const currentSurfaces now(context_);
+    forAll(context_.bodies, a)
     {
         for (label b = a + 1; b < now.size(); ++b)
         {
@@ -79,7 +79,7 @@ void Foam::fsbi::repulsion::findAll()
 
 void Foam::fsbi::repulsion::readPairs(const dictionary& dict)
 {
-    const wordList valid(around_.names());
+    const wordList valid(context_.names());
     for (const wordList& names : dict.get<List<wordList>>("between"))
     {
         labelList numbers;
@@ -91,7 +91,7 @@ void Foam::fsbi::repulsion::readPairs(const dictionary& dict)
                 FatalIOErrorInFunction(dict)
                     << "There is no body (constant/bodies) or plane wall '"
                     << name << "' for 'between'"
-                    << around_.unseenReason(name).c_str() << "; valid are "
+                    << context_.unseenReason(name).c_str() << "; valid are "
                     << flatOutput(valid) << exit(FatalIOError);
             }
         }
@@ -99,7 +99,7 @@ void Foam::fsbi::repulsion::readPairs(const dictionary& dict)
         if
         (
             numbers.size() != 2 || numbers[0] == numbers[1]
-         || numbers[0] >= around_.bodies.size()
+         || numbers[0] >= context_.bodies.size()
         )
         {
             FatalIOErrorInFunction(dict)
@@ -113,14 +113,14 @@ void Foam::fsbi::repulsion::readPairs(const dictionary& dict)
 
 Foam::List<Foam::fsbi::unseenPatch> Foam::fsbi::repulsion::unrepelled() const
 {
-    List<unseenPatch> others(around_.unseen);
-    forAll(around_.walls, w)
+    List<unseenPatch> others(context_.unseen);
+    forAll(context_.walls, w)
     {
-        const label wall = around_.bodies.size() + w;
+        const label wall = context_.bodies.size() + w;
         const auto has = [=](const pair& p) { return p[1] == wall; };
         if (std::none_of(pairs_.begin(), pairs_.end(), has))
         {
-            others.append({around_.walls[w].name, "not in 'between'"});
+            others.append({context_.walls[w].name, "not in 'between'"});
         }
     }
     return others;
@@ -130,7 +130,7 @@ Foam::List<Foam::fsbi::unseenPatch> Foam::fsbi::repulsion::unrepelled() const
 template<class Visitor>
 void Foam::fsbi::repulsion::visit(const Visitor& visitor) const
 {
-    const surfacesNow now(around_);
+    const currentSurfaces now(context_);
     const scalar reach = minimumGap_ + range_;
     const auto from = [&](const label body, const label other, const scalar part)
     {
@@ -153,7 +153,7 @@ void Foam::fsbi::repulsion::visit(const Visitor& visitor) const
 
 void Foam::fsbi::repulsion::push
 (
-    const surfacesNow& now,
+    const currentSurfaces& now,
     const neighbour& n,
     const label body,
     const label other,
@@ -171,7 +171,7 @@ void Foam::fsbi::repulsion::push
         const bodySurface& s = now.surface(on);
         return loads::site
         {
-            on, tri, x - around_.bodies[on].placed().centre,
+            on, tri, x - context_.bodies[on].placed().centre,
             materialPoint::nearest(tri, x, s.points(), s.triangles()).weights()
         };
     };
@@ -198,7 +198,7 @@ void Foam::fsbi::repulsion::apply(loads& l) const
     (
         [&]
         (
-            const surfacesNow& now, const neighbour& n,
+            const currentSurfaces& now, const neighbour& n,
             const label a, const label b, const scalar part
         )
         {
@@ -210,13 +210,13 @@ void Foam::fsbi::repulsion::apply(loads& l) const
 
 Foam::scalar Foam::fsbi::repulsion::smallestGap(string& names) const
 {
-    const wordList all(around_.names());
+    const wordList all(context_.names());
     scalar smallest = GREAT;
     visit
     (
         [&]
         (
-            const surfacesNow&, const neighbour& n,
+            const currentSurfaces&, const neighbour& n,
             const label a, const label b, scalar
         )
         {

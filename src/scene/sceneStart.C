@@ -29,7 +29,7 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
     {
         createFluid(saved.subOrEmptyDict("fluidMesh"));
     }
-    tellUnread();
+    reportUnread();
     createEffects(saved.subOrEmptyDict("effects"));
     if (fluid_ && solids_.size())
     {
@@ -86,7 +86,7 @@ void Foam::fsbi::scene::listParticipants()
 }
 
 
-void Foam::fsbi::scene::tellUnread() const
+void Foam::fsbi::scene::reportUnread() const
 {
     wordList regions;
     if (fluid_)
@@ -97,7 +97,7 @@ void Foam::fsbi::scene::tellUnread() const
     {
         regions.append(solid.name());
     }
-    caseInput::tellUnread(time_, regions);
+    caseInput::reportUnread(time_, regions);
 }
 
 

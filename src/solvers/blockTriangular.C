@@ -88,9 +88,9 @@ void Foam::fsbi::blockTriangular::relaxTethers(UList<vector>& tethers) const
         const elasticRows& body = *system_.elastic()[e];
         tethers[e] *= 6*constant::mathematical::pi*mu*body.radius;
         vector* row = system_.layout().displacement(e, rows_.begin());
-        forAll(body.share, i)
+        forAll(body.constraintWeight, i)
         {
-            row[i] += body.share[i]*tethers[e];
+            row[i] += body.constraintWeight[i]*tethers[e];
         }
     }
 }

@@ -74,7 +74,7 @@ bool Foam::fsbi::coupledSystem::setSprings()
             body.springs = tr(effects_->acting().springStiffness(bodyi))/3;
             springs += sum(body.springs);
         }
-        rate += body.rate;
+        rate += body.velocityCoeff;
     }
     const auto changed = [](const scalar a, const scalar b, const scalar factor)
     {
@@ -150,9 +150,9 @@ void Foam::fsbi::coupledSystem::addTethers
     forAll(elastic_, e)
     {
         vector* row = layout_.displacement(e, r);
-        forAll(elastic_[e]->share, i)
+        forAll(elastic_[e]->constraintWeight, i)
         {
-            row[i] -= elastic_[e]->share[i]*tethers[e];
+            row[i] -= elastic_[e]->constraintWeight[i]*tethers[e];
         }
     }
 }
@@ -171,9 +171,9 @@ Foam::vectorField Foam::fsbi::coupledSystem::meanDisplacements
     forAll(elastic_, e)
     {
         const vector* u = layout_.displacement(e, x);
-        forAll(elastic_[e]->share, i)
+        forAll(elastic_[e]->constraintWeight, i)
         {
-            means[e] += elastic_[e]->share[i]*u[i];
+            means[e] += elastic_[e]->constraintWeight[i]*u[i];
         }
     }
     surfaceSide::sum(means);
@@ -222,7 +222,9 @@ void Foam::fsbi::coupledSystem::residual(const scalar* x, scalar* r) const
     vectorField tethers(meanDisplacements(x));
     forAll(tethers, e)
     {
-        tethers[e] = elastic_[e]->rate*(tethers[e] - elastic_[e]->place);
+        const elasticRows& body = *elastic_[e];
+        tethers[e] =
+            body.velocityCoeff*(tethers[e] - body.targetDisplacement);
     }
     finishRows
     (
@@ -278,7 +280,7 @@ void Foam::fsbi::coupledSystem::applyJacobian
     vectorField tethers(meanDisplacements(dx));
     forAll(tethers, e)
     {
-        tethers[e] *= elastic_[e]->rate;
+        tethers[e] *= elastic_[e]->velocityCoeff;
     }
     finishRows
     (

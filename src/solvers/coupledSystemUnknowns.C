@@ -24,7 +24,7 @@ Foam::scalarList Foam::fsbi::coupledSystem::packed
             body.x->begin(), body.x->end(),
             x.begin() + layout_.elastic(e)
         );
-        bodies.tethers[e] = body.tether;
+        bodies.tethers[e] = body.multiplier;
     }
     forAll(bodies.velocities, b)
     {
@@ -61,7 +61,7 @@ void Foam::fsbi::coupledSystem::unpack
             x.begin() + layout_.elastic(e), body.x->size(),
             body.x->begin()
         );
-        body.tether = bodies.tethers[e];
+        body.multiplier = bodies.tethers[e];
     }
     forAll(bodies.velocities, b)
     {

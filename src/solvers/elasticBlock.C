@@ -26,7 +26,9 @@ Foam::fsbi::elasticBlock::elasticBlock
 Foam::scalar Foam::fsbi::elasticBlock::halfCoeff(const label ghost) const
 {
     const label i = stencil_.firstBoundary() + ghost;
-    return 2*elastic_.state().stiffness()*stencil_.compact()[i]/body_.rate;
+    return
+        2*elastic_.state().stiffness()*stencil_.compact()[i]
+       /body_.velocityCoeff;
 }
 
 
@@ -72,7 +74,7 @@ void Foam::fsbi::elasticBlock::setSurface(const globalIndex& rows)
     springK_ = scalarField(fluid.size(), Zero);
     if (body_.springs.size())
     {
-        springK_ = body_.springs/body_.rate;
+        springK_ = body_.springs/body_.velocityCoeff;
     }
     fluidColumn_.setSize(fluid.size());
     solidColumn_.setSize(solid.size());
@@ -93,7 +95,7 @@ void Foam::fsbi::elasticBlock::addBody
     for (label i = 0; i < stencil_.nCells(); ++i)
     {
         column[i] = rows.toGlobal(firstRow_ + i);
-        entries.add(column[i], column[i], body_.mass[i]/body_.rate);
+        entries.add(column[i], column[i], body_.mass[i]/body_.velocityCoeff);
     }
     stencil_.halo().fill(column.data(), 1);
     for (label i = 0; i < stencil_.firstBoundary(); ++i)
@@ -101,7 +103,8 @@ void Foam::fsbi::elasticBlock::addBody
         const label P = column[stencil_.owner()[i]];
         const label N = column[stencil_.neighbour()[i]];
         const scalar k =
-            elastic_.state().stiffness()*stencil_.compact()[i]/body_.rate;
+            elastic_.state().stiffness()*stencil_.compact()[i]
+           /body_.velocityCoeff;
         entries.link(P, N, k);
         if (stencil_.neighbour()[i] < stencil_.nCells())
         {
@@ -287,7 +290,7 @@ void Foam::fsbi::elasticBlock::end
     vector* u = asVectors(z);
     for (label i = 0; i < nCells; ++i)
     {
-        u[i] = velocity[firstRow_ + i]/body_.rate;
+        u[i] = velocity[firstRow_ + i]/body_.velocityCoeff;
     }
     std::copy_n(row + nCells, stencil_.nGhosts(), u + nCells);
     elastic_.boundary().followCells(u);
@@ -313,7 +316,7 @@ void Foam::fsbi::elasticBlock::end
                 (K*vs + pulled[number] + push_[number])
                /sumK(number)
             );
-            u[nCells + stencil_.ghostOf()[b]] = (2*vb - vs)/body_.rate;
+            u[nCells + stencil_.ghostOf()[b]] = (2*vb - vs)/body_.velocityCoeff;
         }
     }
 }

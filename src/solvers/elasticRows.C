@@ -111,10 +111,13 @@ void Foam::fsbi::elasticRows::setVelocity
     const surfaceDisplacement& d, boundaryValues& values
 ) const
 {
-    fluid.spreadFaces(vectorField(rate*d.faces + knownFaces), values.faces);
+    fluid.spreadFaces
+    (
+        vectorField(velocityCoeff*d.faces + knownFaces), values.faces
+    );
     fluid.spreadPoints
     (
-        vectorField(rate*d.points + knownPoints), values.vertices
+        vectorField(velocityCoeff*d.points + knownPoints), values.vertices
     );
 }
 
@@ -124,8 +127,8 @@ void Foam::fsbi::elasticRows::setVelocityIncrement
     const surfaceDisplacement& dd, boundaryValues& values
 ) const
 {
-    fluid.spreadFaces(vectorField(rate*dd.faces), values.faces);
-    fluid.spreadPoints(vectorField(rate*dd.points), values.vertices);
+    fluid.spreadFaces(vectorField(velocityCoeff*dd.faces), values.faces);
+    fluid.spreadPoints(vectorField(velocityCoeff*dd.points), values.vertices);
 }
 
 

@@ -52,7 +52,7 @@ Foam::fsbi::rowScales::rowScales
     {
         for (const scalar s : body->elastic->rowScale(body->mass))
         {
-            elastic_.append(s*body->rate);
+            elastic_.append(s*body->velocityCoeff);
         }
     }
 }

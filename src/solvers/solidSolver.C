@@ -35,7 +35,7 @@ Foam::autoPtr<Foam::fsbi::solidSolver> Foam::fsbi::solidSolver::New
 }
 
 
-void Foam::fsbi::solidSolver::tellUnused
+void Foam::fsbi::solidSolver::reportUnused
 (
     const dictionary& dict, const word& body
 )

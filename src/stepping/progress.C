@@ -54,7 +54,7 @@ void Foam::fsbi::progress::begin()
 }
 
 
-void Foam::fsbi::progress::tellLine
+void Foam::fsbi::progress::reportLine
 (
     const scene& scene, const string& limit
 ) const
@@ -92,9 +92,9 @@ void Foam::fsbi::progress::tellLine
 }
 
 
-void Foam::fsbi::progress::tellOfTurn(const scene& scene)
+void Foam::fsbi::progress::reportTurn(const scene& scene)
 {
-    const auto tell = [&](const word& name, const vector& spin)
+    const auto report = [&](const word& name, const vector& spin)
     {
         const scalar turn = mag(spin)*time_.deltaTValue();
         if (!turnTold_ && turn > unresolvedTurn)
@@ -108,19 +108,19 @@ void Foam::fsbi::progress::tellOfTurn(const scene& scene)
     };
     for (const rigidBody& body : scene.bodies())
     {
-        tell(body.name(), angular(body.now().velocity));
+        report(body.name(), angular(body.now().velocity));
     }
     for (const solidRegion& solid : scene.solids())
     {
         if (scene.hasFluid())
         {
-            tell(solid.name(), angular(solid.surface().motion()));
+            report(solid.name(), angular(solid.surface().motion()));
         }
     }
 }
 
 
-void Foam::fsbi::progress::tellOfGap(const scene& scene)
+void Foam::fsbi::progress::reportGap(const scene& scene)
 {
     if (gapTold_ || gap_ > 0.1*GREAT || gap_ >= scene.resolvedGap())
     {
@@ -140,11 +140,11 @@ void Foam::fsbi::progress::report
 )
 {
     gap_ = scene.smallestGap();
-    tellLine(scene, limit);
-    tellOfGap(scene);
+    reportLine(scene, limit);
+    reportGap(scene);
     if (given)
     {
-        tellOfTurn(scene);
+        reportTurn(scene);
     }
 }
 

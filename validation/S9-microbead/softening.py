@@ -144,7 +144,7 @@ def draw(runs, slow):
 def main():
     starts()
     if not quick:
-        laws = {law: Loads("runs/soften_" + law).read_shapes()
+        laws = {law: Loads("runs/continuation_" + law).read_shapes()
                 for law in (SOFT, NEO)}
         draw(laws, slow_process(compare(laws)))
     results.write(append=True)

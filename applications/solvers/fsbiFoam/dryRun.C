@@ -92,9 +92,9 @@ void Foam::fsbi::dryRun::tryStep(scene& scene)
 }
 
 
-void Foam::fsbi::dryRun::tellScene(const scene& scene) const
+void Foam::fsbi::dryRun::reportScene(const scene& scene) const
 {
-    const auto tell = [](const char* kind, const auto& bodies)
+    const auto report = [](const char* kind, const auto& bodies)
     {
         for (const auto& body : bodies)
         {
@@ -102,14 +102,14 @@ void Foam::fsbi::dryRun::tellScene(const scene& scene) const
         }
     };
     Info<< nl << "Scene" << nl;
-    tell("rigid body  ", scene.bodies());
-    tell("elastic body", scene.solids());
-    tell("rolling body", scene.prescribed());
+    report("rigid body  ", scene.bodies());
+    report("elastic body", scene.solids());
+    report("rolling body", scene.prescribed());
     Info<< "    cells        " << scene.nCells() << nl
         << "    effects      ";
     if (scene.effects())
     {
-        scene.effects()->tellNames(Info);
+        scene.effects()->reportNames(Info);
     }
     else
     {
@@ -119,13 +119,13 @@ void Foam::fsbi::dryRun::tellScene(const scene& scene) const
     if (scene.hasFluid() && scene.fluid().momentum().terms().size())
     {
         Info<< "    momentum     ";
-        scene.fluid().momentum().tellNames(Info);
+        scene.fluid().momentum().reportNames(Info);
         Info<< nl;
     }
 }
 
 
-void Foam::fsbi::dryRun::tellDefaults() const
+void Foam::fsbi::dryRun::reportDefaults() const
 {
     Info<< nl << "Defaults taken" << nl;
     for (const string& line : defaults_.lines())
@@ -135,7 +135,7 @@ void Foam::fsbi::dryRun::tellDefaults() const
 }
 
 
-void Foam::fsbi::dryRun::tellCost(scene& scene) const
+void Foam::fsbi::dryRun::reportCost(scene& scene) const
 {
     const scalar left = time_.endTime().value() - time_.value();
     const scalar steps = steps_ + max(left/time_.deltaTValue(), scalar(0));
@@ -161,13 +161,13 @@ void Foam::fsbi::dryRun::run(const dictionary& saved)
     {
         control_.restore(saved.subDict("stepControl"));
     }
-    tellScene(scene);
-    tellDefaults();
+    reportScene(scene);
+    reportDefaults();
     tryFunctions(scene, saved);
     Info<< nl << "Steps tried" << endl;
     while (steps_ < stepsTried && control_.next(scene))
     {
         tryStep(scene);
     }
-    tellCost(scene);
+    reportCost(scene);
 }

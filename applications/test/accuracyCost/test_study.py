@@ -18,8 +18,8 @@ TOOL = os.path.join(os.environ["FSBI_DIR"],
                     "applications/utilities/fsbiAccuracyCost/fsbiAccuracyCost")
 OMEGA = "rotation=bodies.tumourCell.omega.y:rms=2.5e-5"
 STUDY = ["case", "--quantity", OMEGA, "--reference", "0", "--scale", "2.5e-5",
-         "--knob", "mesh", "1.5", "1.2", "--knob", "tolerance", "100",
-         "--knob", "method", "system/fluid/fvSolution:coupling/method", "coupled", "nonsense"]
+         "--parameter", "mesh", "1.5", "1.2", "--parameter", "tolerance", "100",
+         "--parameter", "method", "system/fluid/fvSolution:coupling/method", "coupled", "nonsense"]
 Q = ["--quantity", OMEGA, "--reference", "0", "--scale", "1"]
 WRONG = {
     "no case": ["nowhere", *Q],
@@ -28,8 +28,9 @@ WRONG = {
     "an unknown reduction": ["case", "--quantity", "bodies.a.U.x:median"],
     "a reference of zero without scale": ["case", "--quantity", OMEGA, "--reference", "0"],
     "more references than quantities": ["case", *Q, "--reference", "1"],
-    "an unknown knob": ["case", *Q, "--knob", "colour", "red"],
-    "a knob of a file that is not there": ["case", *Q, "--knob", "a", "system/no:a", "1", "2"],
+    "an unknown parameter": ["case", *Q, "--parameter", "colour", "red"],
+    "a parameter of a file that is not there":
+        ["case", *Q, "--parameter", "a", "system/no:a", "1", "2"],
     "an entry that is none": ["case", *Q, "--set", "deltaT=3"],
     "an accuracy of zero": ["case", *Q, "--accuracy", "0"],
     "an unknown option": ["case", *Q, "--fast"],
@@ -115,7 +116,7 @@ def test_with_seconds_and_memory_and_cells(good):
         assert int(row["cells"]) > 500
 
 
-def test_mesh_knob_has_changed_the_mesh(good):
+def test_mesh_parameter_has_changed_the_mesh(good):
     # bound: cells go with the size to the power -2.8, 0.32 for 1.5
     assert int(good["mesh 1.5"]["cells"]) < 0.6 * int(good["as it is"]["cells"])
 
@@ -128,13 +129,13 @@ def test_file_is_made(done, name):
 def test_another_quantity_of_what_is_kept_needs_no_run(done):
     before = kept()
     again = call("case", "--quantity", "cells=cost.cells:max", "--quantity",
-                 "regions.fluid.U.max", "--knob", "mesh", "1.5", "1.2")
+                 "regions.fluid.U.max", "--parameter", "mesh", "1.5", "1.2")
     assert again.returncode == 0 and "3 of 3 variants are kept" in again.stdout
     assert kept() == before
 
 
 def test_quantity_that_is_not_there_gives_those_that_are(done):
-    again = call("case", "--quantity", "bodies.tumourCell.colour.x", "--knob", "mesh", "1.5",
+    again = call("case", "--quantity", "bodies.tumourCell.colour.x", "--parameter", "mesh", "1.5",
                  "1.2")
     assert again.returncode == 1 and "\n" not in again.stderr.strip()
     assert "bodies.tumourCell.position.{x,y,z}" in again.stderr
@@ -143,14 +144,14 @@ def test_quantity_that_is_not_there_gives_those_that_are(done):
 def test_what_is_not_wholly_kept_is_run_again(done):
     for path in kept():
         os.rename(path, path.replace("run.json", "run.part"))
-    again = call(*STUDY[:7], "--knob", "mesh", "1.5")
+    again = call(*STUDY[:7], "--parameter", "mesh", "1.5")
     assert "kept from before" not in again.stdout and len(kept()) == 2
 
 
 def test_so_is_all_of_a_case_that_was_changed(done):
     with open("case/system/remeshDict", "a") as file:
         file.write("\nminSize 0.5;\n")
-    again = call(*STUDY[:7], "--knob", "mesh", "1.5", "--jobs", "2")
+    again = call(*STUDY[:7], "--parameter", "mesh", "1.5", "--jobs", "2")
     assert "kept from before" not in again.stdout and len(kept()) == 4
 
 

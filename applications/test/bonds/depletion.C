@@ -104,7 +104,7 @@ static void checkHalves(checks& c)
         );
         const std::string what(scene({full, full}, "ball", pair));
         autoPtr<bonds> b(s.make(what, 1));
-        const surfacesNow now(s.around());
+        const currentSurfaces now(s.context());
         bondState none;
         DynamicList<bondEvent> events;
         const bondStep step(b->molecules(), now, none, events, 0);
@@ -222,7 +222,7 @@ static void checkWellMixed(checks& c)
                 ), 7
             )
         );
-        const surfacesNow now(s.around());
+        const currentSurfaces now(s.context());
         scalar exact = 0;
         for (label t = 0; t < 2; ++t)
         {
@@ -294,7 +294,7 @@ static scalar matchings(const std::vector<std::map<label, scalar>>& a, label n)
 
 // The same of receptors where they are, over ligands whose parts of the surface
 // are far larger than a bond's reach; rate: of one receptor, over k_off
-static scalar exactNumber(const bonds& b, const surfacesNow& now)
+static scalar exactNumber(const bonds& b, const currentSurfaces& now)
 {
     const adhesion& a = b.molecules();
     const auto& set = a.sets()[0];
@@ -306,7 +306,7 @@ static scalar exactNumber(const bonds& b, const surfacesNow& now)
 
     std::map<molecule, label> number;
     std::vector<std::map<label, scalar>> ratios;
-    surfacesNow::contact at;
+    currentSurfaces::contact at;
     for (const materialPoint& site : set.sites)
     {
         const point x(now.position(set.body, site));
@@ -316,7 +316,7 @@ static scalar exactNumber(const bonds& b, const surfacesNow& now)
         }
         ratios.push_back({});
         const label rings = 12, rays = 48;
-        const vector e1(surfacesNow::along(at.normal)), e2(at.normal ^ e1);
+        const vector e1(currentSurfaces::along(at.normal)), e2(at.normal ^ e1);
         const scalar part =
             parts.density(ligands)*rate(at.gap)/a.pairs()[0].law->kOff(0)
            /(rings*rays);
@@ -375,7 +375,7 @@ static void checkParts(checks& c)
                 )
             );
             const scalar expected =
-                exactNumber(b(), surfacesNow(s.around()));
+                exactNumber(b(), currentSurfaces(s.context()));
             scalar off = 0;
             for (label i = 0; i <= samples; ++i)
             {

@@ -223,7 +223,7 @@ static void checkSearch(checks& c)
     );
     autoPtr<bonds> b(scene.make(what, 5));
     const adhesion& a = b->molecules();
-    const surfacesNow now(scene.around());
+    const currentSurfaces now(scene.context());
     bondState none;
     DynamicList<bondEvent> events;
     const bondStep step(a, now, none, events, 0);
@@ -242,10 +242,10 @@ static void checkSearch(checks& c)
             gap = min(gap, t.nearestPoint(x, other.points()).distance());
         }
         const scalar k = density*a.pairs()[0].rate()(gap);
-        const auto ways = step.candidates(0, site);
-        found += ways != nullptr;
-        wrong += (k > 0) != (ways != nullptr)
-         || (ways && mag((*ways)[0].rate - k) > 1e-9*k);
+        const auto channels = step.candidates(0, site);
+        found += channels != nullptr;
+        wrong += (k > 0) != (channels != nullptr)
+         || (channels && mag((*channels)[0].rate - k) > 1e-9*k);
     }
     c.check
     (
@@ -312,7 +312,7 @@ static void checkRecords(checks& c)
       + "} }"
     );
     const dictionary dict(text);
-    autoPtr<effect> e(effect::New(*dict.findEntry("bonds"), scene.around()));
+    autoPtr<effect> e(effect::New(*dict.findEntry("bonds"), scene.context()));
     bonds& b = refCast<bonds>(e());
     notebook book;
     b.declare(book);
@@ -406,7 +406,7 @@ static void checkRest(checks& c)
         // a micrometre on, the bonds are still on the patches they took
         const label steps = 100;
         label elsewhere = 0;
-        const surfacesNow now(scene.around());
+        const currentSurfaces now(scene.context());
         List<vector> slid(now.size(), Zero);
         slid[1] = vector(0.01 + steps*0.01, 0, 0);
         for (label i = 0; i < steps; ++i)

@@ -263,7 +263,7 @@ static void checkRupture(checks& c)
 //  receptors
 static scalar onFaces
 (
-    const adhesion& a, const surfacesNow& now, const std::string& correction
+    const adhesion& a, const currentSurfaces& now, const std::string& correction
 )
 {
     const labelList& receptors = a.populations()[0].numbers;
@@ -329,7 +329,7 @@ static void checkFaces(checks& c)
                 )
             );
             const adhesion& a = b->molecules();
-            const surfacesNow now(scene.around());
+            const currentSurfaces now(scene.context());
             bondState state;
             DynamicList<bondEvent> events;
             bondStep step(a, now, state, events, 0);

@@ -51,10 +51,10 @@ public:
 
     TypeName("fault");
 
-    fault(const dictionary& dict, const surroundings& around)
+    fault(const dictionary& dict, const effectContext& context)
     :
-        effect(around),
-        body_(around.bodyIndex(dict.get<word>("body"), dict)),
+        effect(context),
+        body_(context.bodyIndex(dict.get<word>("body"), dict)),
         push_(dict.get<vector>("push")),
         attempt_(dict.get<label>("attempt")),
         attempts_(dict.get<label>("attempts"))

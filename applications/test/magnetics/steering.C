@@ -46,19 +46,19 @@ static void checkLaw(checks& c)
         steeringLaw::rate(2e-6, 3e-6) == 2e-6
     );
     const steeringLaw law(frequencies, advances, stepOuts);
-    const vectorField ways({vector(3, -1, 0.5), vector(-2, 4, 0)});
-    const vectorField times(law.times(ways));
+    const vectorField displacements({vector(3, -1, 0.5), vector(-2, 4, 0)});
+    const vectorField times(law.times(displacements));
     scalar error = 0;
-    forAll(ways, i)
+    forAll(displacements, i)
     {
         vector made(Zero);
         forAll(times, k)
         {
             made += law.speed(i, k)*times[k];
         }
-        error = max(error, mag(made - ways[i]));
+        error = max(error, mag(made - displacements[i]));
     }
-    c.checkBelow("times of the modes make the ways", error, 1e-12);
+    c.checkBelow("times of the modes make the displacements", error, 1e-12);
 
     // what makes no way: the kernel of the speeds, two bodies by three modes
     vector a, b;

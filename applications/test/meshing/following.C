@@ -173,7 +173,7 @@ void checkFluidMesh(checks& c)
     c.check("a mesh follows", follow(0.7) && mesh->generation() == 1);
     c.check
     (
-        "worn out it is made anew", follow(1.3) && mesh->generation() == 2
+        "degraded it is made anew", follow(1.3) && mesh->generation() == 2
     );
     for (const immersedBody& body : s.bodies)
     {

@@ -16,7 +16,7 @@ Description
 #include "deforming.H"
 #include "filling.H"
 #include "meshDistribution.H"
-#include "rigidBlendMotion.H"
+#include "inverseDistanceMotion.H"
 #include "argList.H"
 #include "SubField.H"
 
@@ -205,7 +205,7 @@ static void checkMotion(checks& c)
     s.add(shape("type sphere; radius 1;", 0.2), point(0.1, 0, 3));
     const meshLists lists(s.generate());
     autoPtr<fvMesh> mesh(s.fluid(lists));
-    const rigidBlendMotion motion(mesh(), s.names, s.bodies, s.placements);
+    const inverseDistanceMotion motion(mesh(), s.names, s.bodies, s.placements);
     const scalarField volumes(mesh->cellVolumes());
 
     c.checkBelow
@@ -241,8 +241,8 @@ static void checkMotion(checks& c)
         << ", volume ratio " << q.minVolumeRatio << endl;
     c.check("volumes stay positive", q.minVolume > 0);
     const remeshControls limits(dict("maxNonOrthogonality 80;"));
-    c.check("not yet worn out", !q.wornOut(limits, motion.twist(now)));
-    c.check("a large twist wears out", q.wornOut(limits, 0.6));
+    c.check("not yet degraded", !q.degraded(limits, motion.twist(now)));
+    c.check("a large twist degrades", q.degraded(limits, 0.6));
 
     mesh->polyMesh::movePoints(motion.move(s.placements, vector(0.1, 0, 0)));
     c.checkClose
@@ -361,7 +361,7 @@ static void checkDistribution(checks& c)
      == s.bodies[0].triangles().size()
     );
 
-    const rigidBlendMotion motion(mesh(), s.names, s.bodies, s.placements);
+    const inverseDistanceMotion motion(mesh(), s.names, s.bodies, s.placements);
     List<placement> now(s.placements);
     now[0].orientation = quaternion(vector(0, 1, 0), 0.3);
     mesh->polyMesh::movePoints(motion.move(now, Zero));

@@ -5,11 +5,11 @@
 import numpy as np
 import pytest
 
-from fsbi.accuracy_cost import knobs, quantities
+from fsbi.accuracy_cost import parameters, quantities
 from fsbi.accuracy_cost.predict import Predictor
 from fsbi.accuracy_cost.study import front
 
-METHODS = knobs.Knob("method", ["coupled", "SIMPLEC"], None, 0)
+METHODS = parameters.Parameter("method", ["coupled", "SIMPLEC"], None, 0)
 BASE = dict(mesh="1", timeStep="1", tolerance="1", method="coupled")
 
 
@@ -28,7 +28,7 @@ def cost(settings):
 def trained():
     """A predictor after a plan of runs, and its predictions on the way over the
     true seconds."""
-    varied = [knobs.Factor(n) for n in knobs.BUILT_IN] + [METHODS]
+    varied = [parameters.Factor(n) for n in parameters.BUILT_IN] + [METHODS]
     plan = [BASE] + [{**BASE, k.name: v} for k in varied[:3] for v in k.values if v != "1"]
     predictor, ratios = Predictor(varied), []
     assert predictor.predict(BASE) is None

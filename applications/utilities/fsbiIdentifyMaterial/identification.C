@@ -50,7 +50,7 @@ static int residualOf(const gsl_vector* c, void* p, gsl_vector* f)
     return GSL_SUCCESS;
 }
 
-static int slopesOf(const gsl_vector* c, void* p, gsl_matrix* J)
+static int jacobianOf(const gsl_vector* c, void* p, gsl_matrix* J)
 {
     List<vectorField> jacobian;
     of(p).jacobian(coordinates(c), jacobian);
@@ -386,7 +386,7 @@ void Foam::fsbi::identification::fit()
         gsl_multifit_nlinear_default_parameters();
     gsl_multifit_nlinear_fdf system{};
     system.f = residualOf;
-    system.df = slopesOf;
+    system.df = jacobianOf;
     system.n = n;
     system.p = p;
     system.params = this;

@@ -20,7 +20,7 @@ static const char* const columns =
     "constant,value,lowest,highest,deviation,atLimit";
 
 
-//- Values as found, where nothing is known of how sure they are
+//- Values as found, where nothing is known of how bounded they are
 static void reportValues
 (
     const identification& found,
@@ -63,21 +63,22 @@ static void reportIntervals
         const auto& c = constants[k];
         const scalar deviation = Foam::sqrt(covariance[k][k]);
         const scalar half = t*deviation, value = found.value(k);
-        const bool sure = covariance[k][k] < GREAT;
-        const scalar low = sure ? c.value(found.at()[k] - half) : -GREAT;
-        const scalar high = sure ? c.value(found.at()[k] + half) : GREAT;
+        const bool bounded = covariance[k][k] < GREAT;
+        const scalar low = bounded ? c.value(found.at()[k] - half) : -GREAT;
+        const scalar high = bounded ? c.value(found.at()[k] + half) : GREAT;
         os << c.name << ',' << value << ',' << low << ',' << high << ','
-            << (sure ? (c.powers() ? value*deviation : deviation) : GREAT)
+            << (bounded ? (c.powers() ? value*deviation : deviation) : GREAT)
             << ',' << found.limited(k) << nl;
         Info<< "    " << c.name << " = " << value << "    ";
-        if (sure)
+        if (bounded)
         {
-            Info<< 100*confidence << " % sure: " << low << " to " << high << nl;
+            Info<< 100*confidence << " % confidence interval: " << low << " to "
+                << high << nl;
         }
         else
         {
-            Info<< "not sure at all: the body found cannot bear small further"
-                << " forces" << nl;
+            Info<< "no confidence interval: the body found cannot bear small"
+                << " further forces" << nl;
         }
     }
     for (label k = 1; k < constants.size(); ++k)

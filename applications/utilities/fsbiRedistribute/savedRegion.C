@@ -227,11 +227,11 @@ Foam::fsbi::savedRegion::placesOfPart Foam::fsbi::savedRegion::placesOf
         {
             return &meshPart::boundaryPlaces;
         }
-        if (name == "prior" || name == "before")
+        if (name == "referenceF" || name == "oldF")
         {
             return &meshPart::pointPlaces;
         }
-        if (name == "carried")
+        if (name == "jumpHistory")
         {
             return &meshPart::facePlaces;
         }

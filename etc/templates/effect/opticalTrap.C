@@ -20,14 +20,14 @@ addToRunTimeSelectionTable(effect, opticalTrap, entries);
 
 Foam::fsbi::opticalTrap::opticalTrap
 (
-    const dictionary& dict, const surroundings& around
+    const dictionary& dict, const effectContext& context
 )
 :
-    effect(around)
+    effect(context)
 {
     const checkedDictionary entries(dict);
     entries.found("libs");
-    body_ = around.bodyIndex(entries.get<word>("body"), dict);
+    body_ = context.bodyIndex(entries.get<word>("body"), dict);
     centre_ = entries.get<point>("centre");
     stiffness_ = entries.get<scalar>("stiffness");
     entries.finish();
@@ -36,7 +36,7 @@ Foam::fsbi::opticalTrap::opticalTrap
 
 Foam::vector Foam::fsbi::opticalTrap::force() const
 {
-    return stiffness_*(centre_ - around_.bodies[body_].placed().centre);
+    return stiffness_*(centre_ - context_.bodies[body_].placed().centre);
 }
 
 

@@ -83,7 +83,7 @@ void Foam::fsbi::momentumEquation::update()
 }
 
 
-void Foam::fsbi::momentumEquation::tellNames(Ostream& os) const
+void Foam::fsbi::momentumEquation::reportNames(Ostream& os) const
 {
     forAll(terms_, i)
     {

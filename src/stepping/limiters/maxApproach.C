@@ -43,7 +43,7 @@ void Foam::fsbi::maxApproach::limit
     }
     if (!told_)
     {
-        tellUnseen("maxApproach does not look at", at.now.unseen());
+        reportUnseen("maxApproach does not look at", at.now.unseen());
         told_ = true;
     }
     const scalar part = checkedDictionary(controls_).positive("maxApproach");

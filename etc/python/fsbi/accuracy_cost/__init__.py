@@ -3,7 +3,7 @@
 """What accuracy costs: the parts of applications/utilities/fsbiAccuracyCost.
 
 quantities   a number out of a finished run
-knobs        what is varied, and how              predict      seconds of a run to come
+parameters   what is varied, and how              predict      seconds of a run to come
 runs         copies, runs, keeps what they gave   study        plan, errors, advice
 draw         the picture                          report       variants.csv, report.md
 """

@@ -59,29 +59,29 @@ def _panel(study, axes, cost):
     front = study.pareto(cost)
     axes.step(*_xy(front, cost), where="post", color="#bbbbbb", lw=5, alpha=0.55,
               solid_capstyle="round", zorder=1, label="best of the runs")
-    for i, knob in enumerate(study.knobs):
-        ran = study.of_knob(knob)
+    for i, parameter in enumerate(study.parameters):
+        ran = study.of_parameter(parameter)
         axes.plot(*_xy(ran, cost), color=plots.COLOURS[i % 6], marker=plots.MARKERS[i % 6],
-                  mfc="white", mew=1.5, ms=6.5, ls="-" if knob.numeric() else ":",
-                  label=TITLES.get(knob.name, knob.name), zorder=3)
+                  mfc="white", mew=1.5, ms=6.5, ls="-" if parameter.numeric() else ":",
+                  label=TITLES.get(parameter.name, parameter.name), zorder=3)
     base = study.variants[0]
     axes.plot(*_xy([base], cost), ls="none", marker="o", ms=9, color=plots.INK,
               label="the case as it is", zorder=4)
 
 
 def _label(study, axes):
-    """Values beside the points; those at the ends of a knob only if many, and
+    """Values beside the points; those at the ends of a parameter only if many, and
     none on the base's point."""
     base = np.log(np.ravel(_xy([study.variants[0]], "seconds")))
-    for i, knob in enumerate(study.knobs):
-        ran = [v for v in study.of_knob(knob) if v.knob]
+    for i, parameter in enumerate(study.parameters):
+        ran = [v for v in study.of_parameter(parameter) if v.parameter]
         shown = ran if len(ran) < 7 else [ran[0], ran[-1]]
         for v in shown:
             x, y = _xy([v], "seconds")
             if np.abs(np.log([x[0], y[0]]) - base).max() < 0.1:
                 continue
-            text = v.settings[knob.name]
-            text = f"×{float(text):g}" if knob.name in TITLES else text[:18]
+            text = v.settings[parameter.name]
+            text = f"×{float(text):g}" if parameter.name in TITLES else text[:18]
             axes.annotate(text, (x[0], y[0]), (5, 6 if i % 2 == 0 else -12),
                           textcoords="offset points", fontsize=8.5,
                           color=plots.COLOURS[i % 6])

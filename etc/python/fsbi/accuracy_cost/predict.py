@@ -20,17 +20,17 @@ USUAL = {
 NUMBER = ((0.0, 1.5), (0.0, 1.0), (0.0, 0.7))
 WORD = ((0.0, 1.2), (0.0, 0.3), (0.0, 0.3))
 NOISE, PER_DISTANCE = 0.08, 0.15
-FLAT = {"tolerance": 0.15}      # how near runs are along a knob of little effect
-START = 0.5             # seconds of any run that no knob changes
+FLAT = {"tolerance": 0.15}      # how near runs are along a parameter of little effect
+START = 0.5             # seconds of any run that no parameter changes
 UNSURE = 0.6            # of the logarithm: more is a guess
 
 
 class Predictor:
-    def __init__(self, knobs):
-        self.knobs = knobs
-        self.features = []              # (knob, value or None)
+    def __init__(self, parameters):
+        self.parameters = parameters
+        self.features = []              # (parameter, value or None)
         self.priors = []
-        for k in knobs:
+        for k in parameters:
             if k.numeric():
                 self.features.append((k, None))
                 self.priors.append(USUAL.get(k.name, NUMBER))
@@ -41,7 +41,7 @@ class Predictor:
         self.done = []
 
     def point(self, settings):
-        """Features of settings, {knob name: value}."""
+        """Features of settings, {parameter name: value}."""
         row = []
         for k, value in self.features:
             now = settings.get(k.name, k.values[k.base])

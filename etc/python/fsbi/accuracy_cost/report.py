@@ -12,7 +12,7 @@ from .study import duration
 def table(study, path):
     """One row a variant, failed ones too."""
     names = [q.text for q in study.quantities]
-    header = ["variant", *(k.name for k in study.knobs), *names,
+    header = ["variant", *(k.name for k in study.parameters), *names,
               *("error of " + n for n in names), "error", "seconds", "wall", "megabytes",
               "cells", "steps", "meshes", "predicted", "predictedMegabytes", "predictedBy",
               "contended", "failed"]
@@ -24,7 +24,7 @@ def table(study, path):
 
 
 def _row(study, v):
-    settings = [v.settings[k.name] for k in study.knobs]
+    settings = [v.settings[k.name] for k in study.parameters]
     if not v.done():
         return [v.name, *settings, *[""] * (2 * len(study.quantities) + 11),
                 v.failed or "not run"]
@@ -40,11 +40,11 @@ def _row(study, v):
 def text(study, accuracy, advice, half, verified):
     """The whole report.md."""
     lines = ["# What accuracy costs", "",
-             "One knob at a time around the case as it is; factors multiply what the "
+             "One parameter at a time around the case as it is; factors multiply what the "
              "case has. Seconds are those of the processor, memory is the most the "
              "process had.", ""]
     lines += _recommendation(study, accuracy, advice, half, verified) + [""]
-    lines += _variants(study) + [""] + _knobs(study) + [""] + _honesty(study)
+    lines += _variants(study) + [""] + _parameters(study) + [""] + _honesty(study)
     return "\n".join(lines) + "\n"
 
 
@@ -59,13 +59,13 @@ def _recommendation(study, accuracy, advice, half, verified):
              f"{duration(base.record['seconds'])}, {base.record['megabytes']:.0f} MB.", ""]
     if advice is None:
         floor = max(np.array(study.floor) / study.scale)
-        why = (f"; {floor:.2g} of it does not depend on these knobs (domain, model, or "
+        why = (f"; {floor:.2g} of it does not depend on these parameters (domain, model, or "
                "the reference)" if floor > 0.5 * accuracy else "")
-        return lines + [f"**No settings of these knobs reach {accuracy:g}**: the least is "
+        return lines + [f"**No settings of these parameters reach {accuracy:g}**: the least is "
                         f"{study.reachable():.2g}{why}."]
     lines += [f"**For an error of {accuracy:g} take: {settings_of(study, advice)}**: "
               f"predicted {duration(advice.seconds)}, {advice.megabytes:.0f} MB, "
-              f"error {advice.error:.2g} (the knobs' errors added up)."]
+              f"error {advice.error:.2g} (the parameters' errors added up)."]
     if verified is not None:
         lines += [f"Run: {duration(verified.record['seconds'])}, "
                   f"{verified.record['megabytes']:.0f} MB, error {verified.error:.2g}."
@@ -75,7 +75,7 @@ def _recommendation(study, accuracy, advice, half, verified):
         lines += [f"Cheapest of the runs within it: {least.name}, "
                   f"{duration(least.record['seconds'])}, error {least.error:.2g}."]
     if half is None:
-        lines += [f"Half that error, {accuracy / 2:g}, is out of reach of these knobs; "
+        lines += [f"Half that error, {accuracy / 2:g}, is out of reach of these parameters; "
                   f"the least is {study.reachable():.2g}."]
     else:
         lines += [f"Half that error, {accuracy / 2:g}, would take "
@@ -102,12 +102,12 @@ def _variants(study):
     return lines
 
 
-def _knobs(study):
-    lines = ["| quantity | knob | limit | ± | order | its error as it is | behaviour |",
+def _parameters(study):
+    lines = ["| quantity | parameter | limit | ± | order | its error as it is | behaviour |",
              "|---|---|---|---|---|---|---|"]
     for i, q in enumerate(study.quantities):
         value, scale = study.variants[0].values[i], study.scale[i]
-        for k in study.knobs:
+        for k in study.parameters:
             e = study.limits[i][k.name]
             if e:
                 order = f"{e.order:.2f}" if np.isfinite(e.order) else ""

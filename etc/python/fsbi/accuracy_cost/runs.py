@@ -22,7 +22,7 @@ import time
 from fsbi.history import History
 
 from . import Refused
-from .knobs import Entries
+from .parameters import Entries
 from .quantities import summarise_fields
 
 OWN = "accuracyCost"
@@ -85,14 +85,14 @@ class Bench:
                 sha.update(f.read())
         return sha.hexdigest()
 
-    def hash(self, settings, knobs):
+    def hash(self, settings, parameters):
         """Of the case with these settings; those of the case itself are left
-        out, so that more knobs do not make it another."""
-        keys = sorted(json.dumps(k.key(settings[k.name])) for k in knobs
+        out, so that more parameters do not make it another."""
+        keys = sorted(json.dumps(k.key(settings[k.name])) for k in parameters
                       if settings.get(k.name, k.values[k.base]) != k.values[k.base])
         return hashlib.sha256((self.digest + str(keys)).encode()).hexdigest()[:12]
 
-    def copy(self, folder, settings, knobs, part=None):
+    def copy(self, folder, settings, parameters, part=None):
         for file in self.files():
             to = os.path.join(folder, re.sub(r"^0\.orig/", "0/", file))
             os.makedirs(os.path.dirname(to), exist_ok=True)
@@ -100,8 +100,8 @@ class Bench:
         entries = Entries(folder)
         for file, entry, value in self.fixed:
             entries.set(file, entry, value)
-        for knob in knobs:
-            knob.apply(entries, settings.get(knob.name, knob.values[knob.base]))
+        for parameter in parameters:
+            parameter.apply(entries, settings.get(parameter.name, parameter.values[parameter.base]))
         if part:
             entries.set("system/controlDict", "endTime", f"{part:.10g}")
         return entries
@@ -117,24 +117,24 @@ class Bench:
 
     # Running
 
-    def load(self, settings, knobs):
+    def load(self, settings, parameters):
         """The record of a finished run, or None."""
-        folder = os.path.join(self.kept, self.hash(settings, knobs))
+        folder = os.path.join(self.kept, self.hash(settings, parameters))
         try:
             with open(os.path.join(folder, "run.json")) as file:
                 return dict(json.load(file), folder=folder)
         except (OSError, ValueError):
             return None
 
-    def run(self, settings, knobs, tell=None, **notes):
+    def run(self, settings, parameters, tell=None, **notes):
         """Run and keep; its record. Failed says why it did not end."""
         with tempfile.TemporaryDirectory(prefix="fsbiAccuracyCost.") as top:
             folder = os.path.join(top, "case")
-            self.copy(folder, settings, knobs)
+            self.copy(folder, settings, parameters)
             record = dict(settings=settings, **notes, **self._measure(folder, tell))
-            return self._keep(folder, settings, knobs, record)
+            return self._keep(folder, settings, parameters, record)
 
-    def calibrate(self, settings, knobs, part=0.15):
+    def calibrate(self, settings, parameters, part=0.15):
         """Seconds of a whole run and megabytes, from a part of its time; None
         if it has too few steps. The first step, with the first mesh, counts
         once; later meshes as often as they were made."""
@@ -143,7 +143,7 @@ class Bench:
             return None
         with tempfile.TemporaryDirectory(prefix="fsbiAccuracyCost.") as top:
             folder = os.path.join(top, "case")
-            self.copy(folder, settings, knobs, start + part * (end - start))
+            self.copy(folder, settings, parameters, start + part * (end - start))
             found = self._measure(folder, None)
             parts = _parts(os.path.join(folder, f"log.{self.application}"))
             try:
@@ -226,8 +226,8 @@ class Bench:
             except ProcessLookupError:
                 pass
 
-    def _keep(self, folder, settings, knobs, record):
-        to = os.path.join(self.kept, self.hash(settings, knobs))
+    def _keep(self, folder, settings, parameters, record):
+        to = os.path.join(self.kept, self.hash(settings, parameters))
         shutil.rmtree(to, ignore_errors=True)
         os.makedirs(to)
         if os.path.isdir(os.path.join(folder, "postProcessing")):

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A study: which variants, in which order, what came out, what to take.
 
-One knob at a time around the case as it is. The best value of a quantity is the
-reference, or that of the case corrected by every knob's distance from its limit.
-The error of a variant is that to the best value; the advice adds up the knobs'
+One parameter at a time around the case as it is. The best value of a quantity is the
+reference, or that of the case corrected by every parameter's distance from its limit.
+The error of a variant is that to the best value; the advice adds up the parameters'
 own errors, without letting them cancel.
 """
 
@@ -27,7 +27,7 @@ class Variant:
     def __init__(self, settings, base):
         self.settings = settings
         changed = [(k, v) for k, v in settings.items() if v != base[k]]
-        self.knob = changed[0][0] if len(changed) == 1 else None
+        self.parameter = changed[0][0] if len(changed) == 1 else None
         self.name = ", ".join(f"{k} {v}" for k, v in changed) or "as it is"
         self.record, self.failed, self.values = None, None, None
         self.errors, self.error = None, np.nan
@@ -37,17 +37,17 @@ class Variant:
 
 
 class Study:
-    def __init__(self, bench, knobs, quantities, references, scales, jobs=1):
-        self.bench, self.knobs, self.jobs = bench, knobs, jobs
+    def __init__(self, bench, parameters, quantities, references, scales, jobs=1):
+        self.bench, self.parameters, self.jobs = bench, parameters, jobs
         self.quantities, self.references, self.scales = quantities, references, scales
-        self.base = {k.name: k.values[k.base] for k in knobs}
-        self.predictor = Predictor(knobs)
+        self.base = {k.name: k.values[k.base] for k in parameters}
+        self.predictor = Predictor(parameters)
         self.variants = [Variant(s, self.base) for s in self._planned()]
         self.extra = []                     # of the advice
 
     def _planned(self):
         yield dict(self.base)
-        for k in self.knobs:
+        for k in self.parameters:
             for v in k.values:
                 if v != k.values[k.base]:
                     yield {**self.base, k.name: v}
@@ -63,7 +63,7 @@ class Study:
         """All variants that are not kept from before, cheap ones first."""
         waiting = []
         for v in sorted(self.variants, key=self.guess):
-            record = self.bench.load(v.settings, self.knobs)
+            record = self.bench.load(v.settings, self.parameters)
             if record:
                 self.take(v, record)
             else:
@@ -77,7 +77,7 @@ class Study:
         """(seconds, megabytes, width, how) before the run; None: no way."""
         found = self.predictor.predict(variant.settings)
         if found is None or found[2] > UNSURE:
-            short = self.bench.calibrate(variant.settings, self.knobs)
+            short = self.bench.calibrate(variant.settings, self.parameters)
             if short:
                 return (*short, 0.2, "calibration")
         return (*found, "laws" if found[2] <= UNSURE else "guess") if found else None
@@ -88,7 +88,7 @@ class Study:
         if prediction:
             notes.update(predicted=prediction[0], predictedMegabytes=prediction[1],
                          predictedBy=prediction[3])
-        return self.bench.run(variant.settings, self.knobs, tell, **notes)
+        return self.bench.run(variant.settings, self.parameters, tell, **notes)
 
     def take(self, variant, record):
         variant.record = record
@@ -110,7 +110,7 @@ class Study:
         if not base.done():
             raise Refused("the case as it is does not run: "
                           f"{base.failed or 'stopped'}; nothing can be compared")
-        self.limits = [{k.name: self._limit(k, i) for k in self.knobs}
+        self.limits = [{k.name: self._limit(k, i) for k in self.parameters}
                        for i in range(len(self.quantities))]
         self.best, self.unsure, self.scale, self.floor = [], [], [], []
         for i, limits in enumerate(self.limits):
@@ -128,20 +128,20 @@ class Study:
                 v.errors = np.abs(v.values - self.best) / self.scale
                 v.error = float(v.errors.max())
 
-    def of_knob(self, knob):
-        """The variants of a knob that were run, the base among them, in order."""
-        found = {v.settings[knob.name]: v for v in self.variants
-                 if v.done() and v.knob in (None, knob.name)}
-        return [found[v] for v in knob.values if v in found]
+    def of_parameter(self, parameter):
+        """The variants of a parameter that were run, the base among them, in order."""
+        found = {v.settings[parameter.name]: v for v in self.variants
+                 if v.done() and v.parameter in (None, parameter.name)}
+        return [found[v] for v in parameter.values if v in found]
 
-    def _limit(self, knob, i):
-        """Estimate over a knob's values, None for words or one value."""
-        if not knob.numeric():
+    def _limit(self, parameter, i):
+        """Estimate over a parameter's values, None for words or one value."""
+        if not parameter.numeric():
             return None
-        ran = self.of_knob(knob)
+        ran = self.of_parameter(parameter)
         if len(ran) < 2:
             return None
-        return convergence.estimate([knob.size(v.settings[knob.name]) for v in ran],
+        return convergence.estimate([parameter.size(v.settings[parameter.name]) for v in ran],
                                     [v.values[i] for v in ran])
 
     def uncertainty(self):
@@ -150,7 +150,7 @@ class Study:
         return float(max(u / s for u, s in zip(self.unsure, self.scale)))
 
     def scattered(self):
-        """Knobs whose values do not follow one power, in words."""
+        """Parameters whose values do not follow one power, in words."""
         found = dict.fromkeys(
             f"{k} ({q.label})" for q, limits in zip(self.quantities, self.limits)
             for k, e in limits.items() if e and e.kind in ("scattered", "monotone"))
@@ -164,13 +164,13 @@ class Study:
     # Advice
 
     def advise(self, accuracy):
-        """The cheapest settings whose knobs' errors and floor add up to the
+        """The cheapest settings whose parameters' errors and floor add up to the
         accuracy at most, or that were run and have it; None if there are none."""
-        choices = [self._choices(k) for k in self.knobs]
+        choices = [self._choices(k) for k in self.parameters]
         floor = np.array(self.floor) / self.scale
         mean, _ = self.predictor.law(0, np.zeros(len(self.predictor.features)))
         mesh, _ = self.predictor.law(1, np.zeros(len(self.predictor.features)))
-        measured = {tuple(v.settings[k.name] for k in self.knobs): v.error
+        measured = {tuple(v.settings[k.name] for k in self.parameters): v.error
                     for v in (*self.variants, *self.extra) if v.done()}
         best = None
         for row in itertools.product(*choices):
@@ -185,7 +185,7 @@ class Study:
                 best = seconds, row, error
         if best is None:
             return None
-        settings = {k.name: c[0] for k, c in zip(self.knobs, best[1])}
+        settings = {k.name: c[0] for k, c in zip(self.parameters, best[1])}
         return Advice(settings, best[2], *self.predictor.predict(settings))
 
     def reachable(self):
@@ -193,60 +193,60 @@ class Study:
         least = min(v.error for v in (*self.variants, *self.extra) if v.done())
         floor = np.array(self.floor) / self.scale
         return min(least, float((floor + sum(
-            min((c[1] for c in self._choices(k)), key=max) for k in self.knobs)).max()))
+            min((c[1] for c in self._choices(k)), key=max) for k in self.parameters)).max()))
 
-    def _choices(self, knob):
+    def _choices(self, parameter):
         """(value, own errors relative, features) of values run, and of those
-        between and somewhat beyond for the built-in knobs."""
+        between and somewhat beyond for the built-in parameters."""
         found = []
-        for v in self.of_knob(knob):
-            value = v.settings[knob.name]
-            found.append((value, self._own(knob, value, v), self._features(knob, value)))
-        if knob.name not in self.predictor_names() or len(found) < 3:
+        for v in self.of_parameter(parameter):
+            value = v.settings[parameter.name]
+            found.append((value, self._own(parameter, value, v), self._features(parameter, value)))
+        if parameter.name not in self.predictor_names() or len(found) < 3:
             return found
         sizes = sorted(float(c[0]) for c in found)
-        low = 0.5 * sizes[0] if self._regular(knob) else sizes[0]
+        low = 0.5 * sizes[0] if self._regular(parameter) else sizes[0]
         for size in np.exp(np.linspace(np.log(low), np.log(sizes[-1]), 13)):
             value = f"{size:.3g}"
-            if value not in knob.values:
-                found.append((value, self._own(knob, value), self._features(knob, value)))
+            if value not in parameter.values:
+                found.append((value, self._own(parameter, value), self._features(parameter, value)))
         return found
 
     def predictor_names(self):
         return {"mesh", "timeStep", "tolerance"}
 
-    def _regular(self, knob):
-        return all(limits[knob.name].kind in ("asymptotic", "settled")
+    def _regular(self, parameter):
+        return all(limits[parameter.name].kind in ("asymptotic", "settled")
                    for limits in self.limits)
 
-    def _features(self, knob, value):
-        settings = {**self.base, knob.name: value}
+    def _features(self, parameter, value):
+        settings = {**self.base, parameter.name: value}
         x = self.predictor.point(settings)
-        return x[[f[0] is knob for f in self.predictor.features]]
+        return x[[f[0] is parameter for f in self.predictor.features]]
 
-    def _own(self, knob, value, variant=None):
-        """A knob's own error of every quantity: measured, but not less than the
+    def _own(self, parameter, value, variant=None):
+        """A parameter's own error of every quantity: measured, but not less than the
         fit has, since a value may pass the limit by chance."""
         errors = []
         for i, limits in enumerate(self.limits):
-            e = limits[knob.name]
+            e = limits[parameter.name]
             base = self.variants[0].values[i]
             measured = abs(variant.values[i] - (e.limit if e else base)) if variant else 0.0
-            errors.append(max(measured, self._fitted(knob, value, i)) / self.scale[i])
+            errors.append(max(measured, self._fitted(parameter, value, i)) / self.scale[i])
         return np.array(errors)
 
-    def _fitted(self, knob, value, i):
+    def _fitted(self, parameter, value, i):
         """By the fit; without one, the largest distance from the limit of the
         next coarser value and all finer ones; of the finest, to the next."""
-        e = self.limits[i][knob.name]
+        e = self.limits[i][parameter.name]
         if e is None:
             return 0.0
-        size = knob.size(value)
+        size = parameter.size(value)
         if e.kind != "scattered":
             order = e.order if np.isfinite(e.order) else convergence.FORMAL
             return abs(e.factor) * size**order
-        ran = self.of_knob(knob)
-        sizes = [knob.size(v.settings[knob.name]) for v in ran]
+        ran = self.of_parameter(parameter)
+        sizes = [parameter.size(v.settings[parameter.name]) for v in ran]
         first = max(j for j, s in enumerate(sizes) if s >= size * (1 - 1e-9) or j == 0)
         first = min(first, len(ran) - 2)
         return max(abs(v.values[i] - e.limit) for v in ran[first:])
@@ -258,7 +258,7 @@ class Study:
         variant = same[0] if same else Variant(advice.settings, base)
         if not same:
             self.extra.append(variant)
-            record = self.bench.load(variant.settings, self.knobs)
+            record = self.bench.load(variant.settings, self.parameters)
             if record:
                 self.take(variant, record)
             else:
@@ -269,8 +269,8 @@ class Study:
         return variant
 
     def recommend(self, accuracy, verify=False, out=sys.stdout):
-        """Advice and the variant that verified it, or None. Errors of two knobs
-        may be more than their sum: where the run shows that, the knobs are asked
+        """Advice and the variant that verified it, or None. Errors of two parameters
+        may be more than their sum: where the run shows that, the parameters are asked
         for as much less, twice at most."""
         advice, variant, wanted = self.advise(accuracy), None, accuracy
         for _ in range(3 if verify and advice else 0):

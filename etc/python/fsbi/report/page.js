@@ -69,7 +69,7 @@ function stepCurves() {
             series: [{ name: "of each step tried", y: tried.residual }] });
     }
     const cost = data.tables.find(t => t.path === "cost");
-    const titles = { iterations: "Krylov iterations", corrections: "Newton corrections",
+    const titles = { iterations: "Krylov iterations", corrections: "Newton iterations",
         cells: "cells", meshes: "meshes made", seconds: "seconds of solution, summed" };
     for (const [name, title] of Object.entries(titles)) {
         const i = cost ? cost.columns.indexOf(name) : -1;

@@ -3,27 +3,30 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "surfacesNow.H"
+#include "currentSurfaces.H"
 
-Foam::fsbi::surfacesNow::surfacesNow
+Foam::fsbi::currentSurfaces::currentSurfaces
 (
-    const surroundings& around
+    const effectContext& context
 )
 :
-    around_(around),
-    surfaces_(around.bodies.size()),
-    searches_(around.bodies.size()),
-    velocities_(around.bodies.size())
+    context_(context),
+    surfaces_(context.bodies.size()),
+    searches_(context.bodies.size()),
+    velocities_(context.bodies.size())
 {}
 
 
-const Foam::word& Foam::fsbi::surfacesNow::name(const label surface) const
+const Foam::word& Foam::fsbi::currentSurfaces::name(const label surface) const
 {
-    return isWall(surface) ? wall(surface).name : around_.bodies[surface].name();
+    return
+        isWall(surface)
+      ? wall(surface).name
+      : context_.bodies[surface].name();
 }
 
 
-const Foam::fsbi::bodySurface& Foam::fsbi::surfacesNow::surface
+const Foam::fsbi::bodySurface& Foam::fsbi::currentSurfaces::surface
 (
     const label body
 ) const
@@ -32,14 +35,14 @@ const Foam::fsbi::bodySurface& Foam::fsbi::surfacesNow::surface
     {
         surfaces_.set
         (
-            body, new bodySurface(around_.bodies[body].placedSurface())
+            body, new bodySurface(context_.bodies[body].placedSurface())
         );
     }
     return surfaces_[body];
 }
 
 
-const Foam::fsbi::surfaceDistance& Foam::fsbi::surfacesNow::search
+const Foam::fsbi::surfaceDistance& Foam::fsbi::currentSurfaces::search
 (
     const label body
 ) const
@@ -53,7 +56,7 @@ const Foam::fsbi::surfaceDistance& Foam::fsbi::surfacesNow::search
 }
 
 
-const Foam::vectorField& Foam::fsbi::surfacesNow::velocity
+const Foam::vectorField& Foam::fsbi::currentSurfaces::velocity
 (
     const label body
 ) const
@@ -62,14 +65,14 @@ const Foam::vectorField& Foam::fsbi::surfacesNow::velocity
     {
         velocities_.set
         (
-            body, new vectorField(around_.bodies[body].pointVelocity())
+            body, new vectorField(context_.bodies[body].pointVelocity())
         );
     }
     return velocities_[body];
 }
 
 
-Foam::vector Foam::fsbi::surfacesNow::velocity
+Foam::vector Foam::fsbi::currentSurfaces::velocity
 (
     const label surface, const materialPoint& p
 ) const
@@ -81,7 +84,7 @@ Foam::vector Foam::fsbi::surfacesNow::velocity
 }
 
 
-Foam::scalar Foam::fsbi::surfacesNow::fastest(const label surface) const
+Foam::scalar Foam::fsbi::currentSurfaces::fastest(const label surface) const
 {
     return
         isWall(surface)
@@ -90,7 +93,7 @@ Foam::scalar Foam::fsbi::surfacesNow::fastest(const label surface) const
 }
 
 
-bool Foam::fsbi::surfacesNow::find
+bool Foam::fsbi::currentSurfaces::find
 (
     const label surface, const point& x, const scalar reach, contact& c
 ) const
@@ -117,7 +120,7 @@ bool Foam::fsbi::surfacesNow::find
 }
 
 
-Foam::fsbi::materialPoint Foam::fsbi::surfacesNow::there
+Foam::fsbi::materialPoint Foam::fsbi::currentSurfaces::there
 (
     const label surface, const contact& c
 ) const
@@ -134,7 +137,7 @@ Foam::fsbi::materialPoint Foam::fsbi::surfacesNow::there
 }
 
 
-Foam::fsbi::materialPoint Foam::fsbi::surfacesNow::away
+Foam::fsbi::materialPoint Foam::fsbi::currentSurfaces::away
 (
     const label body,
     const point& x,

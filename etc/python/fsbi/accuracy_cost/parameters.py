@@ -1,6 +1,6 @@
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a study varies. A knob has values, from coarse to fine; those that are
+"""What a study varies. A parameter has values, from coarse to fine; those that are
 numbers have sizes, too (smaller is finer), so that limits can be estimated.
 
 mesh, timeStep, tolerance are there for every case; their values are factors:
@@ -86,7 +86,7 @@ class Entries:
         return value is not None
 
 
-class Knob:
+class Parameter:
     """values: texts from coarse to fine; sizes: numbers, or None; base: the
     index of the case as it is."""
 
@@ -105,8 +105,8 @@ class Knob:
         return [self.name, value]
 
 
-class Factor(Knob):
-    """A built-in knob; any factor is a value."""
+class Factor(Parameter):
+    """A built-in parameter; any factor is a value."""
 
     def __init__(self, name, factors=None):
         factors = sorted({1.0, *(factors or BUILT_IN[name])}, reverse=True)
@@ -120,20 +120,20 @@ class Factor(Knob):
             SCALE[self.name](entries, float(value))
 
 
-class Listed(Knob):
+class Listed(Parameter):
     """Entries of dictionaries and lists of their values, side by side."""
 
     def __init__(self, name, columns, entries):
         self.columns = columns          # [(file, entry, [texts])]
         count = {len(c[2]) for c in columns}
         if len(count) > 1:
-            raise Refused(f"knob {name}: its entries have different numbers of values")
+            raise Refused(f"parameter {name}: its entries have different numbers of values")
         if min(count) < 2 - len([c for c in columns if entries.get(*c[:2]) is not None]):
-            raise Refused(f"knob {name} has too few values")
+            raise Refused(f"parameter {name} has too few values")
         values = [" ".join(t) for t in zip(*(c[2] for c in columns))] \
             if len(columns) == 1 else list(columns[0][2])
         if len(set(values)) < len(values):
-            raise Refused(f"knob {name} has a value twice")
+            raise Refused(f"parameter {name} has a value twice")
         texts = [list(t) for t in zip(*(c[2] for c in columns))]
         base = self._base(entries, texts)
         self.texts = dict(zip(values, texts))
@@ -142,7 +142,7 @@ class Listed(Knob):
             now = entries.get(*columns[0][:2])
             if now is None and numeric:
                 file, entry, _ = columns[0]
-                raise Refused(f"knob {name}: the case has no entry {entry} in {file}; give "
+                raise Refused(f"parameter {name}: the case has no entry {entry} in {file}; give "
                               f"the number it stands for by --set {file}:{entry}=VALUE")
             extra = now if now is not None and now not in values else "as it is"
             self.texts[extra] = None
@@ -198,11 +198,11 @@ def _sizes(values):
         return list(numbers)
     if (np.diff(numbers) > 0).all():
         return list(1 / numbers)
-    raise Refused("numbers of a knob must go from coarse to fine: "
+    raise Refused("numbers of a parameter must go from coarse to fine: "
                   + " ".join(values))
 
 
-# How the built-in knobs change a case
+# How the built-in parameters change a case
 
 DEFAULT_SIZE = {"sphere": ("radius", 5), "ellipsoid": ("semiAxes", 3),
                 "capsule": ("radius", 4), "leukocyte": ("radius", 5),
@@ -241,8 +241,8 @@ def scale_mesh(entries, factor):
     for path in blocks:
         scale_blocks(path, factor)
     if not shapes and not blocks:
-        raise Refused("knob mesh: the case has neither shapes nor a blockMeshDict; "
-                      "give a knob of your own")
+        raise Refused("parameter mesh: the case has neither shapes nor a blockMeshDict; "
+                      "give a parameter of your own")
 
 
 def _inside(entries):
@@ -277,7 +277,7 @@ def scale_blocks(path, factor):
 def scale_step(entries, factor):
     control = "system/controlDict"
     if not entries.scale(control, "deltaT", factor):
-        raise Refused("knob timeStep: system/controlDict has no number deltaT")
+        raise Refused("parameter timeStep: system/controlDict has no number deltaT")
     for entry in ("maxDeltaT", "minDeltaT", "maxApproach"):
         entries.scale(control, entry, factor)
     if entries.get(control, "adjustTimeStep") in ("yes", "on", "true"):
@@ -304,28 +304,28 @@ SCALE = {"mesh": scale_mesh, "timeStep": scale_step, "tolerance": scale_toleranc
 
 
 def make(given, entries):
-    """The knobs of a list of [name, ...] as on the command line."""
-    columns, knobs = {}, {}
+    """The parameters of a list of [name, ...] as on the command line."""
+    columns, parameters = {}, {}
     for name, *rest in given:
         if name in BUILT_IN and not (rest and ":" in rest[0]):
             try:
                 factors = [float(r) for r in rest]
             except ValueError:
-                raise Refused(f"knob {name}: factors are numbers, not "
+                raise Refused(f"parameter {name}: factors are numbers, not "
                               + " ".join(rest)) from None
             if any(f <= 0 for f in factors):
-                raise Refused(f"knob {name}: factors are above zero")
-            knobs[name] = Factor(name, factors)
+                raise Refused(f"parameter {name}: factors are above zero")
+            parameters[name] = Factor(name, factors)
             continue
         file, colon, entry = (rest or [""])[0].partition(":")
         if not colon or len(rest) < 2:
-            raise Refused(f"knob '{' '.join([name, *rest])}' is not "
+            raise Refused(f"parameter '{' '.join([name, *rest])}' is not "
                           "NAME FILE:ENTRY VALUE VALUE ..., nor one of "
                           + ", ".join(BUILT_IN))
         if not os.path.isfile(entries.path(file)):
-            raise Refused(f"knob {name}: there is no {file} in {entries.case}")
+            raise Refused(f"parameter {name}: there is no {file} in {entries.case}")
         columns.setdefault(name, []).append((file, entry, rest[1:]))
-        knobs[name] = None
+        parameters[name] = None
     for name, found in columns.items():
-        knobs[name] = Listed(name, found, entries)
-    return [knobs[name] for name in knobs]
+        parameters[name] = Listed(name, found, entries)
+    return [parameters[name] for name in parameters]

@@ -3,7 +3,7 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "displacementSpread.H"
+#include "laplacianMotion.H"
 #include "compactEntries.H"
 #include "polyMesh.H"
 #include "processorPolyPatch.H"
@@ -27,7 +27,7 @@ static MPI_Comm communicator()
 } // End namespace Foam
 
 
-Foam::fsbi::displacementSpread::displacementSpread(const polyMesh& mesh)
+Foam::fsbi::laplacianMotion::laplacianMotion(const polyMesh& mesh)
 :
     mesh_(mesh)
 {
@@ -38,7 +38,7 @@ Foam::fsbi::displacementSpread::displacementSpread(const polyMesh& mesh)
 }
 
 
-void Foam::fsbi::displacementSpread::number()
+void Foam::fsbi::laplacianMotion::number()
 {
     boolList given(mesh_.nPoints(), false);
     for (const polyPatch& patch : mesh_.boundaryMesh())
@@ -64,7 +64,7 @@ void Foam::fsbi::displacementSpread::number()
 
 
 template<class Action>
-void Foam::fsbi::displacementSpread::eachPair
+void Foam::fsbi::laplacianMotion::eachPair
 (
     const label celli, const Action& add
 ) const
@@ -97,7 +97,7 @@ void Foam::fsbi::displacementSpread::eachPair
 }
 
 
-void Foam::fsbi::displacementSpread::createMatrix()
+void Foam::fsbi::laplacianMotion::createMatrix()
 {
     compactEntries entries;
     forAll(mesh_.cells(), celli)
@@ -126,7 +126,7 @@ void Foam::fsbi::displacementSpread::createMatrix()
 }
 
 
-void Foam::fsbi::displacementSpread::createSolver()
+void Foam::fsbi::laplacianMotion::createSolver()
 {
     PC pc;
     petscCheck(KSPCreate(communicator(), solver_.create()));
@@ -148,7 +148,7 @@ void Foam::fsbi::displacementSpread::createSolver()
 }
 
 
-void Foam::fsbi::displacementSpread::fill(vectorField& r) const
+void Foam::fsbi::laplacianMotion::fill(vectorField& r) const
 {
     const untrapped scope;
     vectorField source(mesh_.nPoints(), Zero);

@@ -3,7 +3,7 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "rigidBlendMotion.H"
+#include "inverseDistanceMotion.H"
 #include "surfaceDistance.H"
 #include "polyMesh.H"
 #include "processorPolyPatch.H"
@@ -50,7 +50,7 @@ static vector turned(const vector& theta, const vector& r)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsbi::rigidBlendMotion::weigh
+void Foam::fsbi::inverseDistanceMotion::weigh
 (
     const PtrList<surfaceDistance>& surfaces,
     const point& p, const scalar touching, scalarField& w
@@ -89,7 +89,7 @@ void Foam::fsbi::rigidBlendMotion::weigh
 }
 
 
-void Foam::fsbi::rigidBlendMotion::setWeights
+void Foam::fsbi::inverseDistanceMotion::setWeights
 (
     const UList<bodySurface>& surfaces, const bodySurface& walls
 )
@@ -120,7 +120,7 @@ void Foam::fsbi::rigidBlendMotion::setWeights
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsbi::rigidBlendMotion::rigidBlendMotion
+Foam::fsbi::inverseDistanceMotion::inverseDistanceMotion
 (
     const polyMesh& mesh,
     const wordList& bodyPatches,
@@ -141,7 +141,7 @@ Foam::fsbi::rigidBlendMotion::rigidBlendMotion
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::pointField Foam::fsbi::rigidBlendMotion::move
+Foam::pointField Foam::fsbi::inverseDistanceMotion::move
 (
     const UList<placement>& now, const vector& frameShift
 ) const
@@ -164,7 +164,7 @@ Foam::pointField Foam::fsbi::rigidBlendMotion::move
 }
 
 
-Foam::scalar Foam::fsbi::rigidBlendMotion::twist
+Foam::scalar Foam::fsbi::inverseDistanceMotion::twist
 (
     const UList<placement>& now
 ) const
@@ -182,7 +182,7 @@ Foam::scalar Foam::fsbi::rigidBlendMotion::twist
 }
 
 
-Foam::fsbi::bodySurface Foam::fsbi::rigidBlendMotion::domainBoundary
+Foam::fsbi::bodySurface Foam::fsbi::inverseDistanceMotion::domainBoundary
 (
     const polyMesh& mesh, const wordList& bodyPatches
 )

@@ -3,9 +3,9 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "surroundings.H"
+#include "effectContext.H"
 
-void Foam::fsbi::tellUnseen
+void Foam::fsbi::reportUnseen
 (
     const string& what, const UList<unseenPatch>& patches
 )
@@ -22,7 +22,7 @@ void Foam::fsbi::tellUnseen
 }
 
 
-Foam::string Foam::fsbi::surroundings::unseenReason(const word& name) const
+Foam::string Foam::fsbi::effectContext::unseenReason(const word& name) const
 {
     for (const unseenPatch& patch : unseen)
     {
@@ -35,7 +35,7 @@ Foam::string Foam::fsbi::surroundings::unseenReason(const word& name) const
 }
 
 
-Foam::label Foam::fsbi::surroundings::findBody(const word& name) const
+Foam::label Foam::fsbi::effectContext::findBody(const word& name) const
 {
     forAll(bodies, b)
     {
@@ -48,7 +48,7 @@ Foam::label Foam::fsbi::surroundings::findBody(const word& name) const
 }
 
 
-Foam::label Foam::fsbi::surroundings::findWall(const word& name) const
+Foam::label Foam::fsbi::effectContext::findWall(const word& name) const
 {
     forAll(walls, w)
     {
@@ -61,7 +61,7 @@ Foam::label Foam::fsbi::surroundings::findWall(const word& name) const
 }
 
 
-Foam::wordList Foam::fsbi::surroundings::names() const
+Foam::wordList Foam::fsbi::effectContext::names() const
 {
     wordList all;
     forAll(bodies, b)
@@ -76,7 +76,7 @@ Foam::wordList Foam::fsbi::surroundings::names() const
 }
 
 
-Foam::label Foam::fsbi::surroundings::bodyIndex
+Foam::label Foam::fsbi::effectContext::bodyIndex
 (
     const word& name, const dictionary& where
 ) const
