@@ -18,7 +18,7 @@ of kappa change.
 import sys
 
 import numpy as np
-from scipy.optimize import minimize
+from scipy.optimize import minimize, minimize_scalar
 
 NU = 0.3
 STEPS = (2, 3, 4, 5, 8)
@@ -100,11 +100,10 @@ def capped_pair(a, b, cap):
         return np.abs(np.polyval(p, extremes(p, a, b, 4001))).max()
     grid = np.linspace(0.3, 1, 701)
     start = grid[np.argmin([highest(w) for w in grid])]
-    low, high = start - 1e-3, start + 1e-3
-    while high - low > 1e-13:           # one minimum: golden section
-        w1, w2 = high - 0.618033988749895 * (high - low), low + 0.618033988749895 * (high - low)
-        low, high = (low, w2) if highest(w1) < highest(w2) else (w1, high)
-    return highest(low), low
+    # there is one minimum, with a kink: golden section
+    found = minimize_scalar(highest, bracket=(start - 1e-3, start, start + 1e-3),
+                            method="golden", tol=1e-13)
+    return found.fun, found.x
 
 
 def main(path):

@@ -25,6 +25,7 @@ the law's, in units of the shear modulus, are divided by Ca = viscosity rate/G.
 """
 
 import numpy as np
+from scipy.optimize import fsolve
 
 UNIT = np.eye(3)
 SHEAR = np.outer([1, 0, 0], [0, 1, 0])
@@ -164,17 +165,11 @@ class Motion:
         return np.array(found).T
 
     def _solve(self, rate, known, F, before):
-        """rate F + known = velocity(F), by Newton's method."""
-        def defect(F):
+        """rate F + known = velocity(F)"""
+        def defect(entries):
+            F = entries.reshape(3, 3)
             return (rate * F + known - self.velocity(F, before)).ravel()
-        small = 1e-7
-        for _ in range(30):
-            r = defect(F)
-            derivative = np.stack(
-                [(defect(F + small * e.reshape(3, 3)) - r) / small
-                 for e in np.eye(9)], axis=1)
-            change = np.linalg.solve(derivative, r).reshape(3, 3)
-            F = F - change
-            if np.abs(change).max() < 1e-12:
-                return F
-        raise RuntimeError("the step has no solution")
+        found, _, status, why = fsolve(defect, F.ravel(), xtol=1e-13, full_output=True)
+        if status != 1:
+            raise RuntimeError(f"the step has no solution: {why}")
+        return found.reshape(3, 3)

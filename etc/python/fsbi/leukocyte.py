@@ -1,6 +1,6 @@
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The shape of a rolling leukocyte and the ways of its material.
+"""The shape of a rolling leukocyte and the paths of its material.
 
     cell = Leukocyte(radius=4, Ax=1, Ay=0.1, By=0.4)
     x = cell.path(history, "leukocyte", angle=0.5)      # of a material point
@@ -8,6 +8,7 @@
 """
 
 import numpy as np
+from scipy.optimize import brentq
 
 
 class Leukocyte:
@@ -45,17 +46,11 @@ class Leukocyte:
 
     def part_backward(self, V, omega):
         """Part of the time for which the point moves against x: between the
-        roots of its velocity, by bisection; the angle runs at a constant rate."""
+        roots of its velocity; the angle runs at a constant rate."""
         angles = np.linspace(0, 2 * np.pi, 3601) + 1e-4
         positive = self.velocity(angles, V, omega) > 0
         part = np.sum(np.diff(angles)[~positive[:-1] & ~positive[1:]])
         for i in np.nonzero(positive[:-1] != positive[1:])[0]:
-            low, high = angles[i], angles[i + 1]
-            for _ in range(60):
-                middle = (low + high) / 2
-                if (self.velocity(middle, V, omega)[0] > 0) == positive[i]:
-                    low = middle
-                else:
-                    high = middle
-            part += angles[i + 1] - low if positive[i] else low - angles[i]
+            root = brentq(lambda a: self.velocity(a, V, omega)[0], *angles[i:i + 2], xtol=1e-15)
+            part += angles[i + 1] - root if positive[i] else root - angles[i]
         return part / (2 * np.pi)

@@ -9,7 +9,9 @@ A surface of multiquadrics through the points measured so far (Gaskin 2018,
 
 s: mean distance of the points, tells where to measure next: where it is
 lowest near the best point, now and then far from all points. The
-neighbourhood shrinks when a measurement was no improvement.
+neighbourhood shrinks when a measurement was no improvement. (scipy's
+RBFInterpolator adds a polynomial to these equations; it comes as low in as many
+measurements.)
 
 No such surface follows a valley with a sharp bottom, as the largest of several
 residuals has, to its end: the last part is Nelder and Mead's, with a simplex
@@ -18,10 +20,7 @@ along the valley that the best points show.
 
 import numpy as np
 from scipy.optimize import minimize
-
-
-def distances(a, b):
-    return np.linalg.norm(np.atleast_2d(a)[:, None] - np.atleast_2d(b)[None], axis=2)
+from scipy.spatial.distance import cdist
 
 
 def latin(random, dimensions, number):
@@ -34,13 +33,13 @@ class Surface:
     def __init__(self, points, values):
         self.points = points
         self.mean = values.mean()
-        between = distances(points, points)
+        between = cdist(points, points)
         self.scale = between.sum() / (len(points) * (len(points) - 1))
         matrix = np.sqrt(1 + (between / self.scale) ** 2)
         self.weights = np.linalg.lstsq(matrix, values - self.mean, rcond=1e-12)[0]
 
     def __call__(self, x):
-        distance = distances(x, self.points) / self.scale
+        distance = cdist(np.atleast_2d(x), self.points) / self.scale
         return self.mean + np.sqrt(1 + distance**2) @ self.weights
 
 
@@ -80,7 +79,7 @@ class Search:
             return self.waiting.pop(0)
         if len(self.points) % self.explore == 0:
             anywhere = self.random.random((2000, self.dimensions))
-            return anywhere[distances(anywhere, self.points).min(axis=1).argmax()]
+            return anywhere[cdist(anywhere, self.points).min(axis=1).argmax()]
         centre = self.points[self.best]
         points = np.array(self.points)
         order = np.argsort(np.linalg.norm(points - centre, axis=1))
@@ -90,7 +89,7 @@ class Search:
         size = self.radius * self.random.random((4000, 1)) ** 0.5
         around = centre + size * self.random.uniform(-1, 1, (4000, self.dimensions))
         around = np.clip(around, 0, 1)
-        new = distances(around, points).min(axis=1) > 0.2 * self.radius
+        new = cdist(around, points).min(axis=1) > 0.2 * self.radius
         around = around[new] if new.any() else around
         return around[surface(around).argmin()]
 

@@ -21,6 +21,7 @@ are steady shapes, stable or not, and the largest Ca that has one.
 import functools
 
 import numpy as np
+from scipy.optimize import fsolve
 
 NODES = 32      # of the Gauss-Legendre quadrature
 UNIT = np.zeros((4, 3, 3))
@@ -115,17 +116,12 @@ def defects(x, law, nodes=NODES):
                      pressure - fluid if law.compressible else x[:3].sum()])
 
 
-def newton(function, x):
-    """A root, from a guess; slopes by central differences."""
-    for _ in range(30):
-        f = function(x)
-        steps = 1e-6 * np.eye(len(x))
-        slope = np.array([(function(x + h) - function(x - h)) / 2e-6 for h in steps]).T
-        change = np.linalg.solve(slope, -f)
-        x = x + change
-        if np.abs(change).max() < 1e-11:
-            return x
-    raise RuntimeError("Newton's method does not converge")
+def root(function, x):
+    """Of a function of several numbers, from a guess."""
+    found, _, status, why = fsolve(function, x, xtol=1e-13, full_output=True)
+    if status != 1:
+        raise RuntimeError(f"there is no solution: {why}")
+    return found
 
 
 def start(Ca):
@@ -136,14 +132,14 @@ def start(Ca):
 def steady(law, Ca, x=None, nodes=NODES):
     """At a capillary number, from a neighbour's x."""
     x = start(Ca) if x is None else x
-    return newton(lambda x: np.append(defects(x, law, nodes), x[4] - np.log(Ca)), x)
+    return root(lambda x: np.append(defects(x, law, nodes), x[4] - np.log(Ca)), x)
 
 
 def at_deformation(law, D, x=None, nodes=NODES):
     """At (a1 - a2)/(a1 + a2) = D: passes a fold, where Ca is largest."""
     x = start(0.8 * D) if x is None else x
-    return newton(lambda x: np.append(defects(x, law, nodes),
-                                      np.tanh(0.5 * (x[0] - x[1])) - D), x)
+    return root(lambda x: np.append(defects(x, law, nodes),
+                                    np.tanh(0.5 * (x[0] - x[1])) - D), x)
 
 
 def branch(law, D, nodes=NODES):
