@@ -96,7 +96,7 @@ void Foam::fsbi::effectList::setWalls(const List<planeWall>& walls)
     }
     for (const word& name : gone.sortedToc())
     {
-        tell
+        report
         (
             name,
             "is no plane wall any more, by its velocity; effects still take it"
