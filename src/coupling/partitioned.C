@@ -21,6 +21,17 @@ addNamedToRunTimeSelectionTable
 addNamedToRunTimeSelectionTable(couplingScheme, partitioned, entries, Aitken);
 addNamedToRunTimeSelectionTable(couplingScheme, partitioned, entries, IQNILS);
 
+
+static scalar largest(const volVectorField& u)
+{
+    scalar result = gMax(mag(u.primitiveField())());
+    for (const fvPatchVectorField& up : u.boundaryField())
+    {
+        result = max(result, gMax(mag(up)()));
+    }
+    return result;
+}
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -138,7 +149,7 @@ Foam::scalar Foam::fsbi::partitioned::scale() const
         rate = max(rate, body->velocityCoeff);
     }
     // before a flow at rest has begun to move, a length will do
-    const scalar speed = fluid_.speed();
+    const scalar speed = largest(fluid_.U());
     return speed > 0 ? speed/rate : fluid_.mesh().bounds().mag();
 }
 

@@ -234,7 +234,7 @@ void Foam::fsbi::functionRunner::notifyNewMesh(const fvMesh& mesh)
 
 void Foam::fsbi::functionRunner::notifyMeshes()
 {
-    for (const solidRegion& solid : scene_.solids())
+    for (const solidRegion& solid : scene_.bodies().elastic)
     {
         notifyMotion(solid.mesh());
     }

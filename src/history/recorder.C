@@ -51,15 +51,15 @@ Foam::fsbi::recorder::recorder
 
 void Foam::fsbi::recorder::declare()
 {
-    for (const rigidBody& body : scene_.bodies())
+    for (const rigidBody& body : scene_.bodies().rigid)
     {
         declareMotion(body.name(), {"fluid", "applied"});
     }
-    for (const prescribedBody& body : scene_.prescribed())
+    for (const prescribedBody& body : scene_.bodies().prescribed)
     {
         declareMotion(body.name(), {"fluid"});
     }
-    for (const solidRegion& body : scene_.solids())
+    for (const solidRegion& body : scene_.bodies().elastic)
     {
         declareElastic(body);
     }
@@ -116,15 +116,15 @@ void Foam::fsbi::recorder::declareMotion
 Foam::fileNameList Foam::fsbi::recorder::paths() const
 {
     DynamicList<fileName> all;
-    for (const rigidBody& body : scene_.bodies())
+    for (const rigidBody& body : scene_.bodies().rigid)
     {
         all.append("bodies"/body.name());
     }
-    for (const solidRegion& body : scene_.solids())
+    for (const solidRegion& body : scene_.bodies().elastic)
     {
         all.append("elasticBodies"/body.name());
     }
-    for (const prescribedBody& body : scene_.prescribed())
+    for (const prescribedBody& body : scene_.bodies().prescribed)
     {
         all.append("bodies"/body.name());
     }
@@ -208,11 +208,11 @@ void Foam::fsbi::recorder::openSeries()
         "position(xyz) quaternion(wxyz) velocity(xyz)"
         " angularVelocity(xyz) fluidForce(xyz) fluidTorque(xyz)"
     );
-    for (const rigidBody& body : scene_.bodies())
+    for (const rigidBody& body : scene_.bodies().rigid)
     {
         openSeries(body.name(), motion);
     }
-    for (const solidRegion& body : scene_.solids())
+    for (const solidRegion& body : scene_.bodies().elastic)
     {
         openSeries
         (
@@ -228,7 +228,7 @@ void Foam::fsbi::recorder::openSeries()
             )
         );
     }
-    for (const prescribedBody& body : scene_.prescribed())
+    for (const prescribedBody& body : scene_.bodies().prescribed)
     {
         openSeries(body.name(), motion);
     }
@@ -387,24 +387,25 @@ void Foam::fsbi::recorder::append
 )
 {
     auto timer = scene_.clocks().measure("output");
-    forAll(scene_.bodies(), b)
+    const bodyList& bodies = scene_.bodies();
+    forAll(bodies.rigid, b)
     {
-        const rigidBody& body = scene_.bodies()[b];
+        const rigidBody& body = bodies.rigid[b];
         appendHistory(body);
         if (Pstream::master())
         {
             appendSeries(series_[b], body.now());
         }
     }
-    forAll(scene_.solids(), b)
+    forAll(bodies.elastic, b)
     {
-        const solidRegion& body = scene_.solids()[b];
+        const solidRegion& body = bodies.elastic[b];
         appendHistory(body);
         if (Pstream::master())
         {
             appendSeries
             (
-                series_[scene_.bodies().size() + b], body
+                series_[bodies.rigid.size() + b], body
             );
         }
     }
@@ -412,15 +413,15 @@ void Foam::fsbi::recorder::append
     {
         appendEffects();
     }
-    forAll(scene_.prescribed(), b)
+    forAll(bodies.prescribed, b)
     {
-        const prescribedBody& body = scene_.prescribed()[b];
+        const prescribedBody& body = bodies.prescribed[b];
         appendMotion(body.name(), body.now());
         if (Pstream::master())
         {
             appendSeries
             (
-                series_[scene_.bodies().size() + scene_.solids().size() + b],
+                series_[bodies.rigid.size() + bodies.elastic.size() + b],
                 body.now()
             );
         }

@@ -70,9 +70,9 @@ static List<string> bodies(const scene& scene)
             all.append(string(kind) + body.name());
         }
     };
-    add("rigid ", scene.bodies());
-    add("elastic ", scene.solids());
-    add("prescribed ", scene.prescribed());
+    add("rigid ", scene.bodies().rigid);
+    add("elastic ", scene.bodies().elastic);
+    add("prescribed ", scene.bodies().prescribed);
     return List<string>(std::move(all));
 }
 

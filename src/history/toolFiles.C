@@ -71,7 +71,7 @@ void Foam::fsbi::writeToolFiles(const Time& time, const scene& scene)
         fluids.append(scene.fluid().name());
         mark(scene.fluid().mesh());
     }
-    for (const solidRegion& solid : scene.solids())
+    for (const solidRegion& solid : scene.bodies().elastic)
     {
         mark(solid.mesh());
         solids.append(solid.name());

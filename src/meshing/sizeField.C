@@ -124,18 +124,43 @@ Foam::fsbi::sizeField::sizeField
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalarField Foam::fsbi::sizeField::pointSizes(const bodySurface& surface)
+{
+    const pointField& points = surface.points();
+    scalarField sum(points.size(), Zero);
+    labelList n(points.size(), Zero);
+    for (const triFace& t : surface.triangles())
+    {
+        for (label i = 0; i < 3; ++i)
+        {
+            const label a = t[i], b = t[(i + 1) % 3];
+            const scalar length = mag(points[a] - points[b]);
+            sum[a] += length;
+            sum[b] += length;
+            ++n[a];
+            ++n[b];
+        }
+    }
+    forAll(sum, i)
+    {
+        sum[i] /= max(n[i], 1);
+    }
+    return sum;
+}
+
+
 Foam::scalarField Foam::fsbi::sizeField::triangleSizes
 (
     const bodySurface& surface
 )
 {
     const List<triFace>& triangles = surface.triangles();
-    const scalarField pointSizes(surface.pointSizes());
+    const scalarField ofPoints(pointSizes(surface));
     scalarField sizes(triangles.size());
     forAll(triangles, i)
     {
         const triFace& t = triangles[i];
-        sizes[i] = (pointSizes[t[0]] + pointSizes[t[1]] + pointSizes[t[2]])/3;
+        sizes[i] = (ofPoints[t[0]] + ofPoints[t[1]] + ofPoints[t[2]])/3;
     }
     return sizes;
 }

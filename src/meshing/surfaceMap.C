@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceMap.H"
+#include "sizeField.H"
 #include "polyMesh.H"
 #include "indexedOctree.H"
 #include "treeDataPoint.H"
@@ -46,7 +47,7 @@ void Foam::fsbi::surfaceMap::matchPoints
 )
 {
     const pointField& x = surface.points();
-    const scalarField size(surface.pointSizes());
+    const scalarField size(sizeField::pointSizes(surface));
     treeBoundBox box(x);
     box.inflate(0.1);
     const indexedOctree<treeDataPoint> tree(treeDataPoint(x), box, 10, 10, 3);

@@ -48,17 +48,6 @@ void Foam::fsbi::fluidRegion::linkSurfaces
 }
 
 
-Foam::scalar Foam::fsbi::fluidRegion::speed() const
-{
-    scalar largest = gMax(mag(U_->primitiveField())());
-    for (const fvPatchVectorField& Up : U_->boundaryField())
-    {
-        largest = max(largest, gMax(mag(Up)()));
-    }
-    return largest;
-}
-
-
 Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
 (
     UList<bodyRows>& rows,

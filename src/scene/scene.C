@@ -39,10 +39,10 @@ static sixVector total
 
 Foam::List<Foam::fsbi::bodyRows> Foam::fsbi::scene::bodyRowsNow() const
 {
-    List<bodyRows> rows(bodies_.size());
+    List<bodyRows> rows(bodies_.rigid.size());
     forAll(rows, b)
     {
-        rows[b] = bodies_[b].rows(time_.value());
+        rows[b] = bodies_.rigid[b].rows(time_.value());
     }
     return rows;
 }
@@ -93,10 +93,10 @@ void Foam::fsbi::scene::take
     takeEffects(rows);
     forAll(rows, b)
     {
-        bodies_[b].set(rows[b].velocity, loads[b]);
+        bodies_.rigid[b].set(rows[b].velocity, loads[b]);
         if (effects_ && fluid_->acting().stiff(b))
         {
-            bodies_[b].settle();
+            bodies_.rigid[b].settle();
         }
     }
 }
@@ -110,10 +110,10 @@ void Foam::fsbi::scene::takeEffects(const UList<bodyRows>& rows)
     }
     const loads::onBodies acted(fluid_->effectForces(rows));
     effectLoads_ = acted.whole;
-    forAll(solids_, e)
+    forAll(bodies_.elastic, e)
     {
-        const label b = bodies_.size() + e;
-        effectLoads_[b] = total(acted, b, immersed_[b]);
+        const label b = bodies_.rigid.size() + e;
+        effectLoads_[b] = total(acted, b, bodies_.immersed[b]);
     }
 }
 
@@ -173,7 +173,7 @@ Foam::fsbi::outcome Foam::fsbi::scene::solveCoupled()
 Foam::fsbi::outcome Foam::fsbi::scene::advanceFlow()
 {
     bool extrapolated = true;
-    for (const rigidBody& body : bodies_)
+    for (const rigidBody& body : bodies_.rigid)
     {
         extrapolated &= body.hasHistory();
     }
@@ -198,11 +198,11 @@ Foam::fsbi::outcome Foam::fsbi::scene::advanceFlow()
 
 void Foam::fsbi::scene::placeBodies()
 {
-    for (rigidBody& body : bodies_)
+    for (rigidBody& body : bodies_.rigid)
     {
         body.advance(time_.deltaTValue());
     }
-    for (prescribedBody& body : prescribed_)
+    for (prescribedBody& body : bodies_.prescribed)
     {
         body.advance(time_.value(), time_.deltaTValue());
     }
@@ -211,16 +211,19 @@ void Foam::fsbi::scene::placeBodies()
 
 void Foam::fsbi::scene::takePrescribedLoads()
 {
-    forAll(prescribed_, b)
+    forAll(bodies_.prescribed, b)
     {
-        prescribed_[b].set(fluid_->load(bodies_.size() + solids_.size() + b));
+        bodies_.prescribed[b].set
+        (
+            fluid_->load(bodies_.rigid.size() + bodies_.elastic.size() + b)
+        );
     }
 }
 
 
 Foam::fsbi::outcome Foam::fsbi::scene::advanceSolids()
 {
-    for (solidRegion& solid : solids_)
+    for (solidRegion& solid : bodies_.elastic)
     {
         solverReport report;
         const outcome solved(solid.solve(report));
@@ -274,7 +277,7 @@ void Foam::fsbi::scene::save(dictionary& state) const
     {
         dictionary dict;
         participants_[i].second->save(dict);
-        (label(i) < all_.size() ? bodies : state).set
+        (label(i) < bodies_.all().size() ? bodies : state).set
         (
             participants_[i].first, dict
         );
@@ -292,7 +295,7 @@ void Foam::fsbi::scene::write
     {
         fluid_->write(add);
     }
-    for (solidRegion& solid : solids_)
+    for (solidRegion& solid : bodies_.elastic)
     {
         solid.write(add);
     }
@@ -305,7 +308,7 @@ void Foam::fsbi::scene::renewSolvers()
     {
         fluid_->renewSolver();
     }
-    for (solidRegion& solid : solids_)
+    for (solidRegion& solid : bodies_.elastic)
     {
         solid.renewSolver();
     }
@@ -327,7 +330,11 @@ Foam::scalar Foam::fsbi::scene::timeToContact
         fluid_
       ? fsbi::timeToContact
         (
-            {time_, immersed_, fluid_->walls(), fluid_->mu()}, reach, names
+            {
+                time_, bodies_.immersed, fluid_->walls(),
+                fluid_->stokes().mu()
+            },
+            reach, names
         )
       : GREAT;
 }
@@ -348,7 +355,7 @@ Foam::scalar Foam::fsbi::scene::resolvedGap() const
 Foam::string Foam::fsbi::scene::warning() const
 {
     string text;
-    for (const solidRegion& solid : solids_)
+    for (const solidRegion& solid : bodies_.elastic)
     {
         if (solid.warning().size())
         {
@@ -362,7 +369,7 @@ Foam::string Foam::fsbi::scene::warning() const
 Foam::label Foam::fsbi::scene::nCells() const
 {
     label n = fluid_ ? fluid_->mesh().globalData().nTotalCells() : 0;
-    for (const solidRegion& solid : solids_)
+    for (const solidRegion& solid : bodies_.elastic)
     {
         n += solid.mesh().globalData().nTotalCells();
     }

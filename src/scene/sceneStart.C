@@ -4,66 +4,58 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "scene.H"
-#include "prescribedBody.H"
 #include "Time.H"
 #include "caseInput.H"
 #include "HashSet.H"
 
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Is the region there?
+static bool fluidGiven(const Time& time)
+{
+    bool given =
+        isFile(time.globalPath()/time.constant()/caseInput::fluid/"material");
+    Pstream::scatter(given);
+    return given;
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
 Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
 :
-    time_(time)
+    time_(time),
+    inFluid_(fluidGiven(time)),
+    bodies_(time, timings_, inFluid_, saved)
 {
-    const IOdictionary dict
-    (
-        IOobject
-        (
-            "bodies", time_.caseConstant(), time_, IOobject::READ_IF_PRESENT,
-            IOobject::NO_WRITE, false
-        )
-    );
-    checkSaved(dict, saved);
-    readBodies(dict, saved.subOrEmptyDict("bodies"));
     checkParts();
     checkRegions();
-    if (fluidGiven())
+    if (inFluid_)
     {
-        createFluid(saved.subOrEmptyDict("fluidMesh"));
+        fluid_.reset
+        (
+            new fluidRegion
+            (
+                time_, caseInput::fluid, bodies_.rigid, bodies_.immersed,
+                timings_, saved.subOrEmptyDict("fluidMesh")
+            )
+        );
     }
     reportUnread();
     createEffects(saved.subOrEmptyDict("effects"));
-    if (fluid_ && solids_.size())
+    if (fluid_ && bodies_.elastic.size())
     {
-        coupling_ = couplingScheme::New(fluid_(), solids_);
+        coupling_ = couplingScheme::New(fluid_(), bodies_.elastic);
     }
     listParticipants();
     if (coupling_ && saved.found("coupling"))
     {
         coupling_->restore(saved.subDict("coupling"));
     }
-}
-
-
-void Foam::fsbi::scene::createFluid(const dictionary& saved)
-{
-    for (rigidBody& body : bodies_)
-    {
-        immersed_.append(&body);
-    }
-    for (solidRegion& solid : solids_)
-    {
-        immersed_.append(&solid.surface());
-    }
-    for (prescribedBody& body : prescribed_)
-    {
-        immersed_.append(&body);
-    }
-    fluid_.reset
-    (
-        new fluidRegion
-        (
-            time_, caseInput::fluid, bodies_, immersed_, timings_, saved
-        )
-    );
 }
 
 
@@ -76,7 +68,7 @@ void Foam::fsbi::scene::listParticipants()
             participants_.push_back({name, participant});
         }
     };
-    for (body& any : all_)
+    for (body& any : bodies_.all())
     {
         join(any.name(), &any);
     }
@@ -93,7 +85,7 @@ void Foam::fsbi::scene::reportUnread() const
     {
         regions.append(fluid_->name());
     }
-    for (const solidRegion& solid : solids_)
+    for (const solidRegion& solid : bodies_.elastic)
     {
         regions.append(solid.name());
     }
@@ -110,18 +102,18 @@ void Foam::fsbi::scene::createEffects(const dictionary& saved)
         return;
     }
     checkEffects();
-    List<List<triFace>> triangles(immersed_.size());
-    forAll(solids_, e)
+    List<List<triFace>> triangles(bodies_.immersed.size());
+    forAll(bodies_.elastic, e)
     {
-        triangles[bodies_.size() + e] =
-            solids_[e].surface().placedSurface().triangles();
+        triangles[bodies_.rigid.size() + e] =
+            bodies_.elastic[e].surface().placedSurface().triangles();
     }
     effects_.reset
     (
         new effectList
         (
-            time_, immersed_, triangles, fluid_->walls(), fluid_->unseen(),
-            fluid_->mu(), timings_, saved
+            time_, bodies_.immersed, triangles, fluid_->walls(),
+            fluid_->unseen(), fluid_->stokes().mu(), timings_, saved
         )
     );
     fluid_->setEffects(effects_());
@@ -136,7 +128,7 @@ void Foam::fsbi::scene::checkEffects() const
             << "The effects of constant/effects act on bodies in a fluid, but"
             << " there is no file constant/fluid/material" << exit(FatalError);
     }
-    for (const rigidBody& body : bodies_)
+    for (const rigidBody& body : bodies_.rigid)
     {
         if (body.integrator() != "monolithic")
         {
@@ -149,25 +141,12 @@ void Foam::fsbi::scene::checkEffects() const
 }
 
 
-bool Foam::fsbi::scene::fluidGiven() const
-{
-    bool given =
-        isFile(time_.globalPath()/time_.constant()/caseInput::fluid/"material");
-    Pstream::scatter(given);
-    return given;
-}
-
-
 void Foam::fsbi::scene::checkParts() const
 {
-    if
-    (
-        !fluidGiven()
-     && (bodies_.size() || prescribed_.size() || solids_.empty())
-    )
+    const bool none = bodies_.all().empty();
+    const bool solidsOnly = bodies_.elastic.size() == bodies_.all().size();
+    if (!inFluid_ && (none || !solidsOnly))
     {
-        const bool none =
-            bodies_.empty() && prescribed_.empty() && solids_.empty();
         FatalErrorInFunction
             << (none ? "There is no body in constant/bodies, and no"
                : "There is no") << " file constant/fluid/material, which rigid"
@@ -193,11 +172,11 @@ void Foam::fsbi::scene::checkRegions() const
     }
     const HashTable<wordList> regions(dict.lookup("regions"));
     wordHashSet fluids, solids;
-    if (fluidGiven())
+    if (inFluid_)
     {
         fluids.insert(caseInput::fluid);
     }
-    for (const solidRegion& solid : solids_)
+    for (const solidRegion& solid : bodies_.elastic)
     {
         solids.insert(solid.name());
     }
@@ -214,83 +193,5 @@ void Foam::fsbi::scene::checkRegions() const
             << " and the elastic bodies of constant/bodies. Write the same"
             << " here, for OpenFOAM's tools, or remove the file"
             << exit(FatalIOError);
-    }
-}
-
-
-void Foam::fsbi::scene::readBodies
-(
-    const dictionary& dict,
-    const dictionary& saved
-)
-{
-    const bool alone =
-        dict.size() - dict.found("FoamFile") == 1 && !fluidGiven();
-    for (const entry& e : dict)
-    {
-        if (e.keyword() == "FoamFile")
-        {
-            continue;
-        }
-        if (!e.isDict())
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry '" << e.keyword() << "' is no dictionary: a body is"
-                << " name { type rigidBody; shape {...} position (...); ... }"
-                << exit(FatalIOError);
-        }
-        all_.append
-        (
-            body::New
-            (
-                {time_, timings_, e.keyword(), alone, fluidGiven()}, e.dict(),
-                saved.subOrEmptyDict(e.keyword())
-            )
-        );
-        sort(all_.last());
-    }
-}
-
-
-void Foam::fsbi::scene::sort(body& any)
-{
-    if (auto* rigid = dynamic_cast<rigidBody*>(&any))
-    {
-        bodies_.append(rigid);
-    }
-    else if (auto* elastic = dynamic_cast<solidRegion*>(&any))
-    {
-        solids_.append(elastic);
-    }
-    else if (auto* given = dynamic_cast<prescribedBody*>(&any))
-    {
-        prescribed_.append(given);
-    }
-    else
-    {
-        FatalErrorInFunction
-            << "Type '" << any.type() << "' of body '" << any.name()
-            << "' is derived neither from rigidBody, solidRegion nor"
-            << " prescribedBody: nobody would solve for it"
-            << exit(FatalError);
-    }
-}
-
-
-void Foam::fsbi::scene::checkSaved
-(
-    const dictionary& dict,
-    const dictionary& saved
-)
-{
-    wordHashSet now(dict.toc());
-    now.erase("FoamFile");
-    const wordHashSet then(saved.subOrEmptyDict("bodies").toc());
-    if (saved.size() && now != then)
-    {
-        FatalIOErrorInFunction(dict)
-            << "The bodies are no longer those of the saved state, which are "
-            << flatOutput(then.sortedToc()) << ". Put them back, or start a"
-            << " new run at time 0" << exit(FatalIOError);
     }
 }

@@ -70,7 +70,7 @@ void Foam::fsbi::progress::reportLine
         snprintf(gapText, sizeof(gapText), "  gap %-8.4g", gap_);
     }
     char corrections[40] = "";
-    if (scene.solids().size())
+    if (scene.bodies().elastic.size())
     {
         snprintf
         (
@@ -106,11 +106,11 @@ void Foam::fsbi::progress::reportTurn(const scene& scene)
             turnTold_ = true;
         }
     };
-    for (const rigidBody& body : scene.bodies())
+    for (const rigidBody& body : scene.bodies().rigid)
     {
         report(body.name(), angular(body.now().velocity));
     }
-    for (const solidRegion& solid : scene.solids())
+    for (const solidRegion& solid : scene.bodies().elastic)
     {
         if (scene.hasFluid())
         {

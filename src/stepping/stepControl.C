@@ -260,7 +260,7 @@ Foam::string Foam::fsbi::stepControl::hopeless(const scene& scene)
      || !std::isfinite(report.residual)
       ? 0 : report.residual;
     return
-        scene.solids().empty() && before > 0
+        scene.bodies().elastic.empty() && before > 0
      && mag(leftOver_ - before) < 0.01*before
       ? ", as with twice the step: raise maxIterations, or find what makes the"
         " problem hard (far apart sizes, thin cells)"

@@ -102,9 +102,9 @@ void Foam::fsbi::dryRun::reportScene(const scene& scene) const
         }
     };
     Info<< nl << "Scene" << nl;
-    report("rigid body  ", scene.bodies());
-    report("elastic body", scene.solids());
-    report("rolling body", scene.prescribed());
+    report("rigid body  ", scene.bodies().rigid);
+    report("elastic body", scene.bodies().elastic);
+    report("rolling body", scene.bodies().prescribed);
     Info<< "    cells        " << scene.nCells() << nl
         << "    effects      ";
     if (scene.effects())

@@ -66,7 +66,7 @@ static const string layout
 //- Forces and torques on all bodies, one after the other, for a motion
 static scalarField loadsAt(fsbi::scene& scene, const scalarField& motion)
 {
-    List<fsbi::sixVector> velocities(scene.bodies().size()), loads;
+    List<fsbi::sixVector> velocities(scene.bodies().rigid.size()), loads;
     forAll(motion, i)
     {
         velocities[i/6][i % 6] = motion[i];
@@ -137,7 +137,7 @@ static void write
     os.precision(10);
     const auto bodyOf = [&](const label i)
     {
-        return scene.bodies()[i/6].name();
+        return scene.bodies().rigid[i/6].name();
     };
     os << "body,row";
     for (const word kind : {"R", "M"})
@@ -233,7 +233,7 @@ int main(int argc, char *argv[])
 
     fsbi::petscSession petsc;
     fsbi::scene scene(runTime, fsbi::checkpoint(runTime).read());
-    if (scene.bodies().empty() || scene.solids().size())
+    if (scene.bodies().rigid.empty() || scene.bodies().elastic.size())
     {
         FatalErrorInFunction
             << "fsbiResistance needs a scene with rigid bodies, and with no"
@@ -241,7 +241,7 @@ int main(int argc, char *argv[])
     }
     if (args.found("tractions"))
     {
-        loadsAt(scene, scalarField(6*scene.bodies().size(), Zero));
+        loadsAt(scene, scalarField(6*scene.bodies().rigid.size(), Zero));
         forAll(scene.fluid().meshing().bodies(), bodyi)
         {
             writeTractions(scene, bodyi);
@@ -249,7 +249,7 @@ int main(int argc, char *argv[])
         return 0;
     }
 
-    const label n = 6*scene.bodies().size();
+    const label n = 6*scene.bodies().rigid.size();
     const fsbi::resistance found
     (
         fsbi::resistanceOf

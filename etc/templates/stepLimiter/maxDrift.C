@@ -30,7 +30,7 @@ Foam::fsbi::maxDrift::maxDrift(const dictionary& dict)
 
 void Foam::fsbi::maxDrift::limit(const stepSituation& at, stepWish& wish) const
 {
-    for (const immersedBody& body : at.now.immersed())
+    for (const immersedBody& body : at.now.bodies().immersed)
     {
         if (body.name() == body_)
         {

@@ -48,7 +48,7 @@ void Foam::fsbi::maxApproach::limit
     }
     const scalar part = checkedDictionary(controls_).positive("maxApproach");
     scalar largest = 0;
-    for (const immersedBody& body : at.now.immersed())
+    for (const immersedBody& body : at.now.bodies().immersed)
     {
         largest = max(largest, body.radius());
     }

@@ -38,7 +38,7 @@ void Foam::fsbi::maxRotation::limit
 ) const
 {
     const scalar turn = largest();
-    for (const immersedBody& body : at.now.immersed())
+    for (const immersedBody& body : at.now.bodies().immersed)
     {
         wish.atMost
         (

@@ -35,7 +35,7 @@ Foam::scalar Foam::fsbi::maxTravel::largest(const dictionary& controls)
 void Foam::fsbi::maxTravel::limit(const stepSituation& at, stepWish& wish) const
 {
     const scalar part = largest(controls_);
-    for (const immersedBody& body : at.now.immersed())
+    for (const immersedBody& body : at.now.bodies().immersed)
     {
         wish.atMost
         (
