@@ -92,6 +92,50 @@ static labelList cellOrder
 }
 
 
+// Inner points in the order of the cells that have them, in the places that inner
+// points have: what is done point by point reads cells that are near in memory
+static void orderPoints
+(
+    const UList<boundaryTriangle>& boundary,
+    pointField& points,
+    List<FixedList<label, 4>>& tetrahedra
+)
+{
+    boolList placed(points.size(), false);
+    for (const boundaryTriangle& t : boundary)
+    {
+        for (const label v : t.points)
+        {
+            placed[v] = true;
+        }
+    }
+    labelList number(identity(points.size()));
+    const labelList free(findIndices(placed, false));
+    label next = 0;
+    for (FixedList<label, 4>& t : tetrahedra)
+    {
+        for (label& v : t)
+        {
+            if (!placed[v])
+            {
+                number[v] = free[next++];
+                placed[v] = true;
+            }
+            v = number[v];
+        }
+    }
+    // whatever no cell has
+    forAll(placed, v)
+    {
+        if (!placed[v])
+        {
+            number[v] = free[next++];
+        }
+    }
+    inplaceReorder(number, points);
+}
+
+
 static face firstPointLowest(const triFace& t)
 {
     const label i = t[0] < t[1] ? (t[0] < t[2] ? 0 : 2) : (t[1] < t[2] ? 1 : 2);
@@ -201,13 +245,12 @@ void Foam::fsbi::assembleMesh
         }
     }
 
-    std::vector<tetSide> sides(sortedSides(tetrahedra));
-    const labelList order(cellOrder(sides, tetrahedra.size()));
-    for (tetSide& side : sides)
-    {
-        side.cell = order[side.cell];
-    }
-    std::sort(sides.begin(), sides.end());
+    inplaceReorder
+    (
+        cellOrder(sortedSides(tetrahedra), tetrahedra.size()), tetrahedra
+    );
+    orderPoints(boundary, mesh.points, tetrahedra);
+    const std::vector<tetSide> sides(sortedSides(tetrahedra));
 
     std::vector<internalFace> inner;
     std::vector<patchFace> outer;

@@ -36,52 +36,52 @@ struct vertexFit
 };
 
 
-//- The row of a cell, and the means that it is multiplied with, weighted
-fsbiInlined static void setRow
-(
-    const vertexFit& f, const label celli, scalar* row, fourNumbers& value
-)
-{
-    const fourNumbers scale = {1, 1, 1, 1/f.perLength};
-    const vector d(f.centres[celli] - f.origin);
-    setMonomialMeans(d, f.moments[celli], f.perLength, row);
-    const scalar weight = cellWeight(sqr(f.perLength)*magSqr(d));
-    value = weight*scale*(four(f.values + 4*celli) - f.uniform);
-}
-
-
-//- The rows of the cells, and their products with the cells' means added to b,
-//  two at a time
+//- The rows of the cells, four of them side by side: monomial k of cell i of
+//  four is rows[80*(i/4) + 4*k + i % 4]; and the products with the cells' means
+//  added to b. Behind the last cell it stands again with no weight
 fsbiWide static void addCells(const vertexFit& f, scalar* rows, scalar* b)
 {
     const label n = f.cells.size();
-    label i = 0;
-    for (; i + 1 < n; i += 2)
+    const scalar s = f.perLength;
+    const fourNumbers scale = {1, 1, 1, 1/s};
+    for (label i = 0; i < n; i += 4, rows += 4*nCubic)
     {
-        const scalar* one = rows + nCubic*i;
-        const scalar* two = one + nCubic;
-        fourNumbers u, v;
-        setRow(f, f.cells[i], rows + nCubic*i, u);
-        setRow(f, f.cells[i + 1], rows + nCubic*(i + 1), v);
-        for (label k = 0; k < nCubic; ++k)
+        label cells[4];
+        fourNumbers x, y, z, weight, m[nCubic - 4], a[nCubic], u[4];
+        for (label j = 0; j < 4; ++j)
         {
-            four(b + 4*k) += one[k]*u + two[k]*v;
+            cells[j] = f.cells[min(i + j, n - 1)];
+            const vector d(f.centres[cells[j]] - f.origin);
+            x[j] = s*d.x();
+            y[j] = s*d.y();
+            z[j] = s*d.z();
+            for (label k = 0; k < nCubic - 4; ++k)
+            {
+                m[k][j] = f.moments[cells[j]][k];
+            }
         }
-    }
-    if (i < n)
-    {
-        const scalar* row = rows + nCubic*i;
-        fourNumbers u;
-        setRow(f, f.cells[i], rows + nCubic*i, u);
+        for (label k = 0; k < nCubic - 4; ++k)
+        {
+            m[k] *= k < 6 ? s*s : s*s*s;
+        }
+        setMonomialMeans<fourNumbers>(x, y, z, m, a);
+        for (label j = 0; j < 4; ++j)
+        {
+            const scalar d2 = x[j]*x[j] + y[j]*y[j] + z[j]*z[j];
+            weight[j] = i + j < n ? cellWeight(d2) : 0;
+            u[j] = weight[j]*scale*(four(f.values + 4*cells[j]) - f.uniform);
+        }
         for (label k = 0; k < nCubic; ++k)
         {
-            four(b + 4*k) += row[k]*u;
+            four(rows + 4*k) = a[k];
+            four(b + 4*k) +=
+                (a[k][0]*u[0] + a[k][1]*u[1]) + (a[k][2]*u[2] + a[k][3]*u[3]);
         }
     }
 }
 
 
-//- The same of a point of the wall with velocity u
+//- The row of a point of the wall with velocity u, times that, added to b
 fsbiWide static void addPoint
 (
     const vertexFit& f, const point& x, const vector& u, scalar* b
@@ -152,11 +152,23 @@ fsbiWide static void setDefects
     scalar* defects
 )
 {
-    forAll(places, i)
+    const label n = places.size();
+    for (label i = 0; i < n; i += 4, rows += 4*nCubic)
     {
-        fourNumbers sum = {0, 0, 0, 0};
-        addProducts<nCubic>(rows + nCubic*i, c, sum);
-        four(defects + 4*places[i]) = four(f.values + 4*f.cells[i]) - sum;
+        fourNumbers sum[4] = {};
+        for (label k = 0; k < nCubic; ++k)
+        {
+            const fourNumbers& ck = four(c + 4*k);
+            for (label j = 0; j < 4; ++j)
+            {
+                sum[j] += rows[4*k + j]*ck;
+            }
+        }
+        for (label j = 0; j < min(label(4), n - i); ++j)
+        {
+            four(defects + 4*places[i + j]) =
+                four(f.values + 4*f.cells[i + j]) - sum[j];
+        }
     }
 }
 
@@ -190,7 +202,7 @@ void Foam::fsbi::localSolutionStencil::fit
             moments_.cdata(),
             x.cdata()->cdata()
         };
-        rows.setSize(nCubic*f.cells.size());
+        rows.setSize(nCubic*(f.cells.size() + 3));
         scalar b[stokesPolynomials::nCoefficients] = {};
         addCells(f, rows.begin(), b);
         if (f.onWall)
