@@ -239,6 +239,7 @@ void Foam::fsbi::secondOrderStokes::residual
 (
     const scalar* x,
     const boundaryValues& b,
+    const vectorField&,
     scalar* r,
     vectorField& traction
 ) const

@@ -7,7 +7,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "bodyCoupling.H"
 #include "loadCoupling.H"
 #include "tractionCondition.H"
-#include "wettedSurface.H"
 #include "syncTools.H"
 
 Foam::fsbi::fluidRegion::fluidRegion
@@ -196,21 +195,6 @@ Foam::label Foam::fsbi::fluidRegion::readOrder
         FatalErrorInFunction
             << "Entry 'order' of 'coupling' in system/fluid/fvSolution is "
             << order << "; valid choices are (2 4)" << exit(FatalError);
-    }
-    const char* missing =
-        momentum_->terms().size()
-      ? "fluids with inertia or forces in constant/fluid/material"
-      : nullptr;
-    for (const immersedBody& body : mesh_.bodies())
-    {
-        missing = isA<wettedSurface>(body) ? "elastic bodies" : missing;
-    }
-    if (order == 4 && missing)
-    {
-        FatalErrorInFunction
-            << "Order 4 of the fluid is not there for " << missing
-            << ". Give 'order 2' in 'coupling' of system/fluid/fvSolution"
-            << exit(FatalError);
     }
     return order;
 }

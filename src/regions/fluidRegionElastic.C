@@ -42,6 +42,7 @@ void Foam::fsbi::fluidRegion::linkSurfaces
         if (elastic[e]->generation != mesh_.generation())
         {
             elastic[e]->fluid = sideOf(rigidBodies_.size() + e);
+            elastic[e]->fluidPatch = mesh_.bodyPatch(rigidBodies_.size() + e);
             elastic[e]->generation = mesh_.generation();
         }
     }
@@ -61,7 +62,10 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
     linkSurfaces(elastic);
     forAll(elastic, e)
     {
-        elastic[e]->setVelocity(elastic[e]->split(displacements[e]), given_);
+        elastic[e]->setVelocity
+        (
+            stokes(), elastic[e]->split(displacements[e]), given_
+        );
     }
     return solver_->solve(wanted, x_, traction_);
 }
@@ -92,7 +96,7 @@ void Foam::fsbi::fluidRegion::finish
     setFields(rows);
     for (const elasticRows* body : elastic)
     {
-        body->setVelocity(body->surface(), given_);
+        body->setVelocity(stokes(), body->surface(), given_);
     }
     forAll(elastic, e)
     {

@@ -208,7 +208,7 @@ void Foam::fsbi::coupledSystem::residual(const scalar* x, scalar* r) const
     {
         const elasticRows& body = *elastic_[e];
         body.residual(x + layout_.elastic(e), r + layout_.elastic(e));
-        body.setVelocity(body.surface(), values_);
+        body.setVelocity(momentum_.viscous(), body.surface(), values_);
     }
     momentum_.residual(x, values_, r, traction_);
 
@@ -265,7 +265,7 @@ void Foam::fsbi::coupledSystem::applyJacobian
         const elasticRows& body = *elastic_[e];
         body.applyJacobian(dx + layout_.elastic(e), dr + layout_.elastic(e));
         const surfaceDisplacement dd(body.surfaceIncrement());
-        body.setVelocityIncrement(dd, values_);
+        body.setVelocityIncrement(momentum_.viscous(), dd, values_);
         points[e] = dd.points;
     }
     momentum_.applyJacobian(dx, values_, dr, traction_);

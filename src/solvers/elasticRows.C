@@ -108,7 +108,9 @@ Foam::fsbi::surfaceDisplacement Foam::fsbi::elasticRows::split
 
 void Foam::fsbi::elasticRows::setVelocity
 (
-    const surfaceDisplacement& d, boundaryValues& values
+    const stokesOperator& stokes,
+    const surfaceDisplacement& d,
+    boundaryValues& values
 ) const
 {
     fluid.spreadFaces
@@ -119,16 +121,20 @@ void Foam::fsbi::elasticRows::setVelocity
     (
         vectorField(velocityCoeff*d.points + knownPoints), values.vertices
     );
+    stokes.setOnEdges(fluidPatch, values.vertices);
 }
 
 
 void Foam::fsbi::elasticRows::setVelocityIncrement
 (
-    const surfaceDisplacement& dd, boundaryValues& values
+    const stokesOperator& stokes,
+    const surfaceDisplacement& dd,
+    boundaryValues& values
 ) const
 {
     fluid.spreadFaces(vectorField(velocityCoeff*dd.faces), values.faces);
     fluid.spreadPoints(vectorField(velocityCoeff*dd.points), values.vertices);
+    stokes.setOnEdges(fluidPatch, values.vertices);
 }
 
 

@@ -85,8 +85,14 @@ static FixedList<point, 4> corners(const fvMesh& mesh, const label celli)
 }
 
 
-//- A cubic flow with quadratic pressure, in axes that are not the mesh's
-static exactFlow cubicFlow()
+//- A cubic flow with quadratic pressure, in axes that are not the mesh's, driven
+//  by a force per volume push + stretch.x + spin ^ x
+static exactFlow cubicFlow
+(
+    const vector& push = Zero,
+    const symmTensor& stretch = Zero,
+    const vector& spin = Zero
+)
 {
     const vector a(normalised(vector(1, 2, -1)));
     const vector b(normalised(vector(2, -1, 0)));
@@ -112,16 +118,29 @@ static exactFlow cubicFlow()
             -3*sqr(Z) + Y, 0, 0
         );
     };
+    // and what a force per volume adds that is linear, in part a rotating one
+    const auto forced = [=](const point& x)
+    {
+        return magSqr(x)*(spin ^ x)/(-10*mu);
+    };
     exactFlow flow;
-    flow.u = [=](const point& x) { return R.T() & local(R & x); };
+    flow.u = [=](const point& x) { return (R.T() & local(R & x)) + forced(x); };
     flow.gradU = [=](const point& x)
     {
-        return R.T() & gradient(R & x) & R;
+        const tensor ofSpin
+        (
+            0, spin.z(), -spin.y(), -spin.z(), 0, spin.x(), spin.y(), -spin.x(), 0
+        );
+        return
+            (R.T() & gradient(R & x) & R)
+          - (2*x*(spin ^ x) + magSqr(x)*ofSpin)/(10*mu);
     };
     flow.p = [=](const point& x)
     {
         const point y(R & x);
-        return mu*(-6*y.x()*y.z() + 1.4*y.y()) + 0.3;
+        return
+            mu*(-6*y.x()*y.z() + 1.4*y.y()) + 0.3
+          + (push & x) + 0.5*(x & stretch & x);
     };
     return flow;
 }
@@ -143,7 +162,11 @@ static void setFlow(appliedOperator& a, const exactFlow& flow)
     {
         const face& f = a.mesh.faces()[a.mesh.nInternalFaces() + i];
         const pointField& p = a.mesh.points();
-        a.b.faces[i] = mean(flow.u, triPointRef(p[f[0]], p[f[1]], p[f[2]]));
+        const triPointRef t(p[f[0]], p[f[1]], p[f[2]]);
+        const std::function<vector(const point&)> traction =
+            [&](const point& x) { return flow.traction(x, t.unitNormal(), mu); };
+        a.b.faces[i] =
+            mean(a.stokes.velocityGiven()[i] ? flow.u : traction, t);
     }
     forAll(a.b.vertices, i)
     {
@@ -179,6 +202,32 @@ static void checkCubic(checks& c)
         force += t;
     }
     c.checkBelow("cubic flow: no force on the whole boundary", mag(force), 1e-9);
+}
+
+
+//- Rows without a force per volume, where there is one
+static void checkForced(checks& c, const word& name, const wordList& open)
+{
+    const testMeshes box(boundBox(point(-1, -1, -1), point(1, 1, 1)));
+    autoPtr<fvMesh> mesh(box.mesh("tetrahedra", 5));
+    const vector push(0.4, -1, 0.7), spin(-1.1, 0.6, 0.8);
+    const symmTensor stretch(1, -0.4, 0.3, 2, 0.9, -1.3);
+    appliedOperator a(mesh(), mu, open, {4});
+    const scalarField& V = mesh->cellVolumes();
+    a.force =
+        push + (stretch & mesh->cellCentres()) + (spin ^ mesh->cellCentres());
+    setFlow(a, cubicFlow(push, stretch, spin));
+    forAll(V, i)
+    {
+        for (label k = 0; k < 3; ++k)
+        {
+            a.r[4*i + k] -= V[i]*a.force[i][k];
+        }
+    }
+    // bound: as without a force
+    const scalar S = Foam::pow(gAverage(V), 2.0/3.0);
+    c.checkBelow(name + ": momentum rows", a.largest(true)/S, 1e-10);
+    c.checkBelow(name + ": continuity rows", a.largest(false)/S, 1e-11);
 }
 
 
@@ -423,6 +472,8 @@ int main(int argc, char *argv[])
         return c.finish();
     }
     checkCubic(c);
+    checkForced(c, "cubic flow, driven", wordList());
+    checkForced(c, "cubic flow, driven, two tractions given", {"xMin", "xMax"});
     checkUpdate(c);
     checkSphere(c);
     checkTorque(c);

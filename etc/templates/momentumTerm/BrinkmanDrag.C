@@ -51,13 +51,7 @@ void Foam::fsbi::BrinkmanDrag::update()
 }
 
 
-void Foam::fsbi::BrinkmanDrag::addJacobian
-(
-    const stokesOperator&,
-    const scalar* dx,
-    const boundaryValues&,
-    scalar* dr
-) const
+void Foam::fsbi::BrinkmanDrag::addJacobian(const scalar* dx, scalar* dr) const
 {
     forAll(rate_, i)
     {
@@ -69,15 +63,9 @@ void Foam::fsbi::BrinkmanDrag::addJacobian
 }
 
 
-void Foam::fsbi::BrinkmanDrag::addResidual
-(
-    const stokesOperator& viscous,
-    const scalar* x,
-    const boundaryValues& given,
-    scalar* r
-) const
+void Foam::fsbi::BrinkmanDrag::addResidual(const scalar* x, scalar* r) const
 {
-    addJacobian(viscous, x, given, r);
+    addJacobian(x, r);
 }
 
 

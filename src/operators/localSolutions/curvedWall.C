@@ -144,6 +144,22 @@ void Foam::fsbi::curvedWall::setAround()
             joinRings()(rings[f[k]], points);
         }
     }
+    // across a narrow gap
+    for (const labelList& points : mesh_.cellPoints())
+    {
+        wallRing onWall;
+        for (const label v : points)
+        {
+            if (vertex[v] < labelMax)
+            {
+                onWall.append(FixedList<label, 3>({vertex[v], vertex[v], vertex[v]}));
+            }
+        }
+        for (const label v : points)
+        {
+            joinRings()(rings[v], onWall);
+        }
+    }
     syncTools::syncPointList(mesh_, rings, joinRings(), wallRing(), noTurn());
 
     around_.setSize(vertices_.size());
@@ -183,15 +199,14 @@ void Foam::fsbi::curvedWall::bend(const label patchi)
     }
     syncTools::syncPointList(mesh_, normal, plusEqOp<vector>(), vector::zero);
     normal /= mag(normal) + VSMALL;
-    boolList smooth(x.size(), true);
     forAll(pp, i)
     {
         for (const label v : pp[i])
         {
-            smooth[v] = smooth[v] && (normal[v] & facet[i]) > sharp;
+            smooth_[v] = smooth_[v] && (normal[v] & facet[i]) > sharp;
         }
     }
-    syncTools::syncPointList(mesh_, smooth, andEqOp<bool>(), true);
+    syncTools::syncPointList(mesh_, smooth_, andEqOp<bool>(), true);
     forAll(edges_, i)
     {
         if (edgePatch_[i] == patchi)
@@ -199,7 +214,7 @@ void Foam::fsbi::curvedWall::bend(const label patchi)
             const vector e(edges_[i].vec(x));
             const auto lift = [&](const label v)
             {
-                return smooth[v] ? (e & normal[v])*normal[v] : vector::zero;
+                return smooth_[v] ? (e & normal[v])*normal[v] : vector::zero;
             };
             points_[vertices_.size() + i] +=
                 (lift(edges_[i].end()) - lift(edges_[i].start()))/8;
@@ -235,6 +250,7 @@ void Foam::fsbi::curvedWall::update()
 {
     const pointField& x = mesh_.points();
     points_.setSize(nOwn());
+    smooth_ = boolList(x.size(), true);
     forAll(vertices_, i)
     {
         points_[i] = x[vertices_[i]];
@@ -253,4 +269,51 @@ void Foam::fsbi::curvedWall::update()
         }
     }
     fill(points_);
+}
+
+
+void Foam::fsbi::curvedWall::setOnEdges
+(
+    const label patchi, vectorField& u
+) const
+{
+    const polyPatch& pp = mesh_.boundaryMesh()[patchi];
+    const pointField& x = mesh_.points();
+    const auto at = [&](const label v) -> const vector&
+    {
+        return u[vertexNumber_[v]];
+    };
+    tensorField gradient(x.size(), Zero);
+    scalarField count(x.size(), Zero);
+    forAll(pp, i)
+    {
+        const face& f = pp[i];
+        const vector perArea(pp.faceAreas()[i]/(2*magSqr(pp.faceAreas()[i])));
+        tensor g(Zero);
+        forAll(f, k)
+        {
+            const label next = f[(k + 1) % 3], last = f[(k + 2) % 3];
+            g += (perArea ^ (x[last] - x[next]))*at(f[k]);
+        }
+        for (const label v : f)
+        {
+            gradient[v] += g;
+            count[v] += 1;
+        }
+    }
+    syncTools::syncPointList(mesh_, gradient, plusEqOp<tensor>(), tensor::zero);
+    syncTools::syncPointList(mesh_, count, plusEqOp<scalar>(), scalar(0));
+    forAll(edges_, i)
+    {
+        if (edgePatch_[i] == patchi)
+        {
+            const label a = edges_[i].start(), b = edges_[i].end();
+            const vector e(edges_[i].vec(x));
+            const auto along = [&](const label v)
+            {
+                return smooth_[v] ? (e & gradient[v])/count[v] : vector::zero;
+            };
+            u[vertices_.size() + i] = 0.5*(at(a) + at(b)) + (along(a) - along(b))/8;
+        }
+    }
 }

@@ -12,17 +12,12 @@ namespace Foam
 namespace fsbi
 {
 
-//- Of V/a_P: halved, iterations fall by a tenth and drag stays; at a third they
-//  rise by half on some meshes
-static const scalar stabilisationScale = 0.5;
-
-
 //- Fluxes through the inner faces, [momentum, mass], added to r
 fsbiWide static void addFluxes
 (
     const faceSolutions& faces, const meshStencil& stencil,
     const labelList& innerFaces, const label nCells, const scalar mu,
-    const scalar* stabilisation, scalar* r
+    const scalar* stabilisation, const scalar stabilisationScale, scalar* r
 )
 {
     const label* owner = stencil.owner().cdata();
@@ -92,10 +87,6 @@ void Foam::fsbi::fourthOrderStokes::check() const
         {
             missing = "cyclic patches";
         }
-    }
-    if (!closed())
-    {
-        missing = "patches of given traction";
     }
     if (missing)
     {
@@ -187,6 +178,7 @@ void Foam::fsbi::fourthOrderStokes::residual
 (
     const scalar* x,
     const boundaryValues& b,
+    const vectorField& force,
     scalar* r,
     vectorField& traction
 ) const
@@ -197,25 +189,63 @@ void Foam::fsbi::fourthOrderStokes::residual
         four(values_[i].begin()) = four(x + 4*i)/fourNumbers{1, 1, 1, mu_};
     }
     wallValues_ = b.vertices;
-    fits_.fit(values_, wallValues_, coefficients_.begin(), defects_.begin());
+    force_ = force/mu_;
+    fits_.fit
+    (
+        values_, wallValues_, force_, coefficients_.begin(), defects_.begin()
+    );
     std::fill_n(r, 4*mesh_.nCells(), scalar(0));
     addFluxes
     (
         faces(), stencil_, innerFaces_, mesh_.nCells(), mu_,
-        stabilisation_.cdata(), r
+        stabilisation_.cdata(), stabilisationScale, r
     );
     addBoundaryFaces(b, r, traction);
 }
 
 
-void Foam::fsbi::fourthOrderStokes::addAdvection
+void Foam::fsbi::fourthOrderStokes::setOnEdges
 (
-    const scalarField&, const boundaryValues&, scalar*
+    const label patchi, vectorField& onWall
 ) const
 {
-    FatalErrorInFunction
-        << "Order 4 of the fluid is not there for inertia. Give 'order 2' in"
-        << " 'coupling' of system/fluid/fvSolution" << exit(FatalError);
+    fits_.wall().setOnEdges(patchi, onWall);
+}
+
+
+void Foam::fsbi::fourthOrderStokes::addAdvection
+(
+    const scalarField& massFlux, const boundaryValues&, scalar* r
+) const
+{
+    const faceSolutions solutions(faces());
+    fourNumbers mean, slope, eP, eN;
+    forAll(innerFaces_, i)
+    {
+        const label facei = innerFaces_[i];
+        const label P = stencil_.owner()[i], N = stencil_.neighbour()[i];
+        solutions.evaluate(facei, mean, slope);
+        solutions.setDefect(facei, &faceCorner::owner, eP);
+        solutions.setDefect(facei, &faceCorner::neighbour, eN);
+        fourNumbers carried = massFlux[facei]*(mean + 0.5*(eP + eN));
+        carried[3] = 0;
+        four(r + 4*P) += carried;
+        if (N < mesh_.nCells())
+        {
+            four(r + 4*N) -= carried;
+        }
+    }
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        for (label k = 0; !pp.coupled() && k < pp.size(); ++k)
+        {
+            const label facei = pp.start() + k;
+            solutions.evaluate(facei, mean, slope);
+            fourNumbers carried = massFlux[facei]*mean;
+            carried[3] = 0;
+            four(r + 4*mesh_.faceOwner()[facei]) += carried;
+        }
+    }
 }
 
 

@@ -25,10 +25,15 @@ void Foam::fsbi::fourthOrderStokes::setBalanced()
     for (label patchi = 0; patchi < nPatches; ++patchi)
     {
         const polyPatch& pp = mesh_.boundaryMesh()[patchi];
-        const labelList faces
-        (
-            identity(pp.size(), pp.start() - mesh_.nInternalFaces())
-        );
+        DynamicList<label> faces(pp.size());
+        for (label k = 0; k < pp.size(); ++k)
+        {
+            const label i = pp.start() + k - mesh_.nInternalFaces();
+            if (velocityGiven_[i])
+            {
+                faces.append(i);
+            }
+        }
         const vectorField S(pp.faceAreas());
         if (mag(gSum(S)) < closedBelow*gSum(mag(S)))
         {
@@ -142,6 +147,50 @@ Foam::vector Foam::fsbi::fourthOrderStokes::transposedAtWall
 }
 
 
+void Foam::fsbi::fourthOrderStokes::addFaceWithVelocity
+(
+    const label i, scalar* r, vector& traction
+) const
+{
+    const label facei = mesh_.nInternalFaces() + i;
+    const vector& S = mesh_.faceAreas()[facei];
+    const faceSolutions solutions(faces());
+    fourNumbers mean, slope, e;
+    solutions.evaluate(facei, mean, slope);
+    solutions.setDefect(facei, &faceCorner::owner, e);
+    const scalar p = mean[3] + e[3];
+    const vector t(mu_*(velocity(slope) - p*S) - wallCoeff(i)*velocity(e));
+    four(r + 4*mesh_.faceOwner()[facei]) -= fourNumbers{t.x(), t.y(), t.z(), 0};
+    traction = t + mu_*transposedAtWall(facei);
+    wallFlux_[i] = velocity(mean) & S;
+}
+
+
+void Foam::fsbi::fourthOrderStokes::addFaceWithTraction
+(
+    const label i, const vector& given, scalar* r, vector& traction
+) const
+{
+    const label facei = mesh_.nInternalFaces() + i;
+    const label P = mesh_.faceOwner()[facei];
+    const vector& S = mesh_.faceAreas()[facei];
+    const vector n(S/mag(S));
+    const faceSolutions solutions(faces());
+    fourNumbers mean, slope, e;
+    solutions.evaluate(facei, mean, slope);
+    solutions.setDefect(facei, &faceCorner::owner, e);
+    mean += e;
+    const vector transposed(transposedAtWall(facei));
+    traction = mag(S)*given;
+    const vector t(traction - mu_*transposed);
+    four(r + 4*P) -= fourNumbers{t.x(), t.y(), t.z(), 0};
+    const scalar p = 2*(transposed & n)/mag(S) - (given & n)/mu_;
+    wallFlux_[i] =
+        (velocity(mean) & S)
+      - stabilisationScale*stabilisation_[P]*wallCoeff(i)*(p - mean[3]);
+}
+
+
 void Foam::fsbi::fourthOrderStokes::addBoundaryFaces
 (
     const boundaryValues& b,
@@ -149,29 +198,21 @@ void Foam::fsbi::fourthOrderStokes::addBoundaryFaces
     vectorField& traction
 ) const
 {
-    const faceSolutions solutions(faces());
-    forAll(velocityGiven_, i)
+    for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        if (!velocityGiven_[i])
+        const label start = pp.start() - mesh_.nInternalFaces();
+        for (label i = start; !pp.coupled() && i < start + pp.size(); ++i)
         {
-            continue;
+            if (velocityGiven_[i])
+            {
+                addFaceWithVelocity(i, r, traction[i]);
+            }
+            else
+            {
+                addFaceWithTraction(i, b.faces[i], r, traction[i]);
+                r[4*pp.faceCells()[i - start] + 3] += wallFlux_[i];
+            }
         }
-        const label facei = mesh_.nInternalFaces() + i;
-        const label P = mesh_.faceOwner()[facei];
-        const vector& S = mesh_.faceAreas()[facei];
-        fourNumbers mean, slope, e;
-        solutions.evaluate(facei, mean, slope);
-        solutions.setDefect(facei, &faceCorner::owner, e);
-        const scalar p = mean[3] + e[3];
-        const vector t
-        (
-            mu_*(velocity(slope) - p*S) - wallCoeff(i)*velocity(e)
-        );
-        r[4*P] -= t.x();
-        r[4*P + 1] -= t.y();
-        r[4*P + 2] -= t.z();
-        traction[i] = t + mu_*transposedAtWall(facei);
-        wallFlux_[i] = velocity(mean) & S;
     }
     addWallFluxes(b, r);
     setTractionMoments();

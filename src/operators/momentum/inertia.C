@@ -113,13 +113,7 @@ void Foam::fsbi::inertia::update()
 }
 
 
-void Foam::fsbi::inertia::addJacobian
-(
-    const stokesOperator& viscous,
-    const scalar* dx,
-    const boundaryValues& dgiven,
-    scalar* dr
-) const
+void Foam::fsbi::inertia::addJacobian(const scalar* dx, scalar* dr) const
 {
     forAll(rate_, i)
     {
@@ -128,28 +122,30 @@ void Foam::fsbi::inertia::addJacobian
             dr[4*i + k] += rate_[i]*dx[4*i + k];
         }
     }
-    if (massFlux_.size())
-    {
-        viscous.addAdvection(massFlux_, dgiven, dr);
-    }
 }
 
 
-void Foam::fsbi::inertia::addResidual
-(
-    const stokesOperator& viscous,
-    const scalar* x,
-    const boundaryValues& given,
-    scalar* r
-) const
+void Foam::fsbi::inertia::addResidual(const scalar* x, scalar* r) const
 {
-    addJacobian(viscous, x, given, r);
+    addJacobian(x, r);
     forAll(past_, i)
     {
         for (label k = 0; k < 3; ++k)
         {
             r[4*i + k] += past_[i][k];
         }
+    }
+}
+
+
+void Foam::fsbi::inertia::addFluxes
+(
+    const stokesOperator& viscous, const boundaryValues& given, scalar* r
+) const
+{
+    if (massFlux_.size())
+    {
+        viscous.addAdvection(massFlux_, given, r);
     }
 }
 

@@ -60,6 +60,7 @@ void Foam::fsbi::momentumEquation::setMassRate()
     {
         return;
     }
+    rows_.setSize(4*mesh_.nCells());
     massRate_.setSize(mesh_.nCells());
     massRate_ = 0;
     for (momentumTerm& term : terms_)
@@ -80,6 +81,66 @@ void Foam::fsbi::momentumEquation::update()
 {
     viscous_->update();
     setMassRate();
+}
+
+
+void Foam::fsbi::momentumEquation::apply
+(
+    const scalar* x,
+    const boundaryValues& given,
+    scalar* r,
+    vectorField& traction
+) const
+{
+    const scalarField& V = mesh_.cellVolumes();
+    force_.setSize(rows_.size()/4);
+    forAll(force_, i)
+    {
+        force_[i] = -vector(rows_[4*i], rows_[4*i + 1], rows_[4*i + 2])/V[i];
+    }
+    viscous_->residual(x, given, force_, r, traction);
+    forAll(rows_, i)
+    {
+        r[i] += rows_[i];
+    }
+    for (const momentumTerm& term : terms_)
+    {
+        term.addFluxes(viscous_(), given, r);
+    }
+}
+
+
+void Foam::fsbi::momentumEquation::residual
+(
+    const scalar* x,
+    const boundaryValues& given,
+    scalar* r,
+    vectorField& traction
+) const
+{
+    rows_ = 0;
+    for (const momentumTerm& term : terms_)
+    {
+        term.addResidual(x, rows_.data());
+    }
+    apply(x, given, r, traction);
+}
+
+
+void Foam::fsbi::momentumEquation::applyJacobian
+(
+    const scalar* dx,
+    const boundaryValues& dgiven,
+    scalar* dr,
+    vectorField& dtraction
+) const
+{
+    rows_ = 0;
+    for (const momentumTerm& term : terms_)
+    {
+        term.addJacobian(dx, rows_.data());
+    }
+    apply(dx, dgiven, dr, dtraction);
 }
 
 
@@ -147,7 +208,7 @@ void Foam::fsbi::momentumEquation::restore
     }
     scalarList r(x.size());
     vectorField traction(viscous_->nBoundaryFaces());
-    viscous_->residual(x.cdata(), given, r.begin(), traction);
+    viscous_->residual(x.cdata(), given, vectorField(), r.begin(), traction);
     for (momentumTerm& term : terms_)
     {
         term.restore(viscous_(), state.subOrEmptyDict(term.type()), x);

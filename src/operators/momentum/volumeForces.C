@@ -50,13 +50,7 @@ void Foam::fsbi::volumeForces::update()
 }
 
 
-void Foam::fsbi::volumeForces::addResidual
-(
-    const stokesOperator&,
-    const scalar*,
-    const boundaryValues&,
-    scalar* r
-) const
+void Foam::fsbi::volumeForces::addResidual(const scalar*, scalar* r) const
 {
     forAll(onCells_, i)
     {
