@@ -7,6 +7,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "bodyCoupling.H"
 #include "loadCoupling.H"
 #include "tractionCondition.H"
+#include "volumeForces.H"
 #include "syncTools.H"
 
 Foam::fsbi::fluidRegion::fluidRegion
@@ -195,6 +196,16 @@ Foam::label Foam::fsbi::fluidRegion::readOrder
         FatalErrorInFunction
             << "Entry 'order' of 'coupling' in system/fluid/fvSolution is "
             << order << "; valid choices are (2 4)" << exit(FatalError);
+    }
+    for (const momentumTerm& term : momentum_->terms())
+    {
+        if (order == 4 && !isA<volumeForces>(term))
+        {
+            FatalErrorInFunction
+                << "Order 4 of the fluid is not there with '" << term.type()
+                << "' in constant/fluid/material. Give 'order 2' in 'coupling'"
+                << " of system/fluid/fvSolution" << exit(FatalError);
+        }
     }
     return order;
 }

@@ -409,6 +409,50 @@ static void checkUpdate(checks& c)
 }
 
 
+//- Velocities in the middle of the edges of a sphere from those of its vertices
+static void checkEdges(checks& c)
+{
+    autoPtr<fvMesh> mesh(aroundSphere(0.2));
+    appliedOperator a(mesh(), mu, wordList(), {4});
+    const auto u = [](const point& x)
+    {
+        return vector(x.y()*x.z(), Foam::sin(2*x.x()), sqr(x.z()) - x.x());
+    };
+    const label patchi = mesh->boundaryMesh().findPatchID("sphere");
+    const label nVertices = a.stokes.wallVertices().size();
+    vectorField found(a.stokes.wallPoints().size(), Zero);
+    for (label i = 0; i < nVertices; ++i)
+    {
+        found[i] = u(a.stokes.wallPoints()[i]);
+    }
+    a.stokes.setOnEdges(patchi, found);
+    scalar plain = 0, better = 0;
+    const labelList points
+    (
+        a.stokes.wallPointsOn(mesh->boundaryMesh()[patchi].meshPoints())
+    );
+    for (const label i : points)
+    {
+        if (i >= nVertices)
+        {
+            const edge& e = a.stokes.wallEdges()[i - nVertices];
+            const vector exact(u(a.stokes.wallPoints()[i]));
+            const vector ends
+            (
+                u(mesh->points()[e.start()]) + u(mesh->points()[e.end()])
+            );
+            plain += magSqr(ends/2 - exact);
+            better += magSqr(found[i] - exact);
+        }
+    }
+    Info<< "    edges of a sphere: error of the velocity over that of the mean of"
+        << " both ends " << Foam::sqrt(better/plain) << endl;
+    // bound: of the mean h^2/8 u''; of the cubic a fifth of it, the gradients'
+    // errors being of first order, and mostly alike at both ends
+    c.checkBelow("velocity on edges of a sphere", Foam::sqrt(better/plain), 0.2);
+}
+
+
 //- The same on one processor and on all, the body's surface cut as well
 static void checkParallel(checks& c)
 {
@@ -475,6 +519,7 @@ int main(int argc, char *argv[])
     checkForced(c, "cubic flow, driven", wordList());
     checkForced(c, "cubic flow, driven, two tractions given", {"xMin", "xMax"});
     checkUpdate(c);
+    checkEdges(c);
     checkSphere(c);
     checkTorque(c);
     checkFree(c);

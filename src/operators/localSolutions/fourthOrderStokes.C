@@ -215,37 +215,12 @@ void Foam::fsbi::fourthOrderStokes::setOnEdges
 
 void Foam::fsbi::fourthOrderStokes::addAdvection
 (
-    const scalarField& massFlux, const boundaryValues&, scalar* r
+    const scalarField&, const boundaryValues&, scalar*
 ) const
 {
-    const faceSolutions solutions(faces());
-    fourNumbers mean, slope, eP, eN;
-    forAll(innerFaces_, i)
-    {
-        const label facei = innerFaces_[i];
-        const label P = stencil_.owner()[i], N = stencil_.neighbour()[i];
-        solutions.evaluate(facei, mean, slope);
-        solutions.setDefect(facei, &faceCorner::owner, eP);
-        solutions.setDefect(facei, &faceCorner::neighbour, eN);
-        fourNumbers carried = massFlux[facei]*(mean + 0.5*(eP + eN));
-        carried[3] = 0;
-        four(r + 4*P) += carried;
-        if (N < mesh_.nCells())
-        {
-            four(r + 4*N) -= carried;
-        }
-    }
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        for (label k = 0; !pp.coupled() && k < pp.size(); ++k)
-        {
-            const label facei = pp.start() + k;
-            solutions.evaluate(facei, mean, slope);
-            fourNumbers carried = massFlux[facei]*mean;
-            carried[3] = 0;
-            four(r + 4*mesh_.faceOwner()[facei]) += carried;
-        }
-    }
+    FatalErrorInFunction
+        << "Order 4 of the fluid is not there for inertia. Give 'order 2' in"
+        << " 'coupling' of system/fluid/fvSolution" << exit(FatalError);
 }
 
 

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "momentumEquation.H"
+#include <algorithm>
 
 Foam::fsbi::momentumEquation::momentumEquation
 (
@@ -93,7 +94,11 @@ void Foam::fsbi::momentumEquation::apply
 ) const
 {
     const scalarField& V = mesh_.cellVolumes();
-    force_.setSize(rows_.size()/4);
+    const bool none = std::all_of
+    (
+        rows_.begin(), rows_.end(), [](const scalar row) { return row == 0; }
+    );
+    force_.setSize(none ? 0 : V.size());
     forAll(force_, i)
     {
         force_[i] = -vector(rows_[4*i], rows_[4*i + 1], rows_[4*i + 2])/V[i];
