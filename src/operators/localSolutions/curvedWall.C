@@ -5,7 +5,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "curvedWall.H"
 #include "EdgeMap.H"
-#include "globalIndex.H"
 #include "noTurn.H"
 #include "syncTools.H"
 
@@ -18,10 +17,6 @@ namespace fsbi
 //  from which on the surface has an edge there: 35 degrees, twice that between
 //  facets. A sphere of 60 facets has 21 degrees
 static const scalar sharp = 0.82;
-
-//- Points around a vertex: the two ends of an edge, or a vertex twice, and the
-//  number of the point, all over all processors
-typedef List<FixedList<label, 3>> wallRing;
 
 //- Of points that several processors have, the lowest number
 struct joinRings
@@ -105,22 +100,18 @@ void Foam::fsbi::curvedWall::setEdges()
 }
 
 
-void Foam::fsbi::curvedWall::setAround()
+void Foam::fsbi::curvedWall::addFacets
+(
+    const globalIndex& number,
+    const labelUList& vertex,
+    List<wallRing>& rings
+) const
 {
-    const globalIndex number(nOwn());
-    labelList vertex(mesh_.nPoints(), labelMax);
-    forAll(vertices_, i)
-    {
-        vertex[vertices_[i]] = number.toGlobal(i);
-    }
-    syncTools::syncPointList(mesh_, vertex, minEqOp<label>(), labelMax);
     EdgeMap<label> edgeNumber;
     forAll(edges_, i)
     {
         edgeNumber.insert(edges_[i], i);
     }
-
-    List<wallRing> rings(mesh_.nPoints());
     forAll(faces_, i)
     {
         const face& f = mesh_.faces()[mesh_.nInternalFaces() + i];
@@ -144,15 +135,23 @@ void Foam::fsbi::curvedWall::setAround()
             joinRings()(rings[f[k]], points);
         }
     }
-    // across a narrow gap
+}
+
+
+void Foam::fsbi::curvedWall::addAcrossCells
+(
+    const labelUList& vertex, List<wallRing>& rings
+) const
+{
     for (const labelList& points : mesh_.cellPoints())
     {
         wallRing onWall;
         for (const label v : points)
         {
-            if (vertex[v] < labelMax)
+            const label a = vertex[v];
+            if (a < labelMax)
             {
-                onWall.append(FixedList<label, 3>({vertex[v], vertex[v], vertex[v]}));
+                onWall.append(FixedList<label, 3>({a, a, a}));
             }
         }
         for (const label v : points)
@@ -160,6 +159,21 @@ void Foam::fsbi::curvedWall::setAround()
             joinRings()(rings[v], onWall);
         }
     }
+}
+
+
+void Foam::fsbi::curvedWall::setAround()
+{
+    const globalIndex number(nOwn());
+    labelList vertex(mesh_.nPoints(), labelMax);
+    forAll(vertices_, i)
+    {
+        vertex[vertices_[i]] = number.toGlobal(i);
+    }
+    syncTools::syncPointList(mesh_, vertex, minEqOp<label>(), labelMax);
+    List<wallRing> rings(mesh_.nPoints());
+    addFacets(number, vertex, rings);
+    addAcrossCells(vertex, rings);
     syncTools::syncPointList(mesh_, rings, joinRings(), wallRing(), noTurn());
 
     around_.setSize(vertices_.size());
