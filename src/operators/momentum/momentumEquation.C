@@ -94,11 +94,18 @@ void Foam::fsbi::momentumEquation::apply
 ) const
 {
     const scalarField& V = mesh_.cellVolumes();
-    const bool none = std::all_of
-    (
-        rows_.begin(), rows_.end(), [](const scalar row) { return row == 0; }
-    );
-    force_.setSize(none ? 0 : V.size());
+    const bool any =
+        terms_.size()
+     && returnReduce
+        (
+            std::any_of
+            (
+                rows_.begin(), rows_.end(),
+                [](const scalar row) { return row != 0; }
+            ),
+            orOp<bool>()
+        );
+    force_.setSize(any ? V.size() : 0);
     forAll(force_, i)
     {
         force_[i] = -vector(rows_[4*i], rows_[4*i + 1], rows_[4*i + 2])/V[i];
