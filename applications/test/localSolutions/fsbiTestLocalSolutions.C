@@ -353,7 +353,7 @@ static void checkFree(checks& c)
 }
 
 
-//- Any smooth flow on the boundary, anything at all in the cells
+//- Any smooth flow on the boundary and force, anything at all in the cells
 static void disturb(appliedOperator& a, const labelUList& cells)
 {
     const auto u = [](const point& x)
@@ -375,6 +375,11 @@ static void disturb(appliedOperator& a, const labelUList& cells)
     forAll(a.b.vertices, i)
     {
         a.b.vertices[i] = u(a.stokes.wallPoints()[i]);
+    }
+    a.force.setSize(cells.size());
+    forAll(cells, i)
+    {
+        a.force[i] = u(a.mesh.cellCentres()[i]);
     }
     a.apply();
 }
