@@ -10,6 +10,8 @@ import sys
 import pytest
 
 ROOT = os.path.join(os.environ["FSBI_DIR"], "validation")
+# Of programs that are compared with; they need not be there
+PEERS = "dolfinx", "gmsh", "mpi4py", "petsc4py", "ufl"
 SCRIPTS = sorted(glob.glob("*/*.py", root_dir=ROOT) + glob.glob("*.py", root_dir=ROOT))
 
 
@@ -19,7 +21,11 @@ def test_import_does_nothing(script, scratch, monkeypatch, capsys):
     monkeypatch.syspath_prepend(os.path.dirname(path))
     monkeypatch.setattr(sys, "argv", [path])
     known = dict(sys.modules)
-    runpy.run_path(path, run_name="imported")
+    try:
+        runpy.run_path(path, run_name="imported")
+    except ModuleNotFoundError as error:
+        if (error.name or "").split(".")[0] not in PEERS:
+            raise
     # those of other validations have the same names
     for name in set(sys.modules) - set(known):
         if os.path.dirname(getattr(sys.modules[name], "__file__", None) or "").startswith(ROOT):
