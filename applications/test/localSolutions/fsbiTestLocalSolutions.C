@@ -15,136 +15,17 @@ Description
 
 #include "appliedOperator.H"
 #include "checks.H"
+#include "cubicFlow.H"
 #include "meshDistribution.H"
 #include "petscObjects.H"
 #include "problem.H"
 #include "testMeshes.H"
 #include "argList.H"
-#include "triPointRef.H"
 
 using namespace Foam;
 using namespace Foam::fsbi;
 
 static const scalar mu = 1.7;
-
-//- Gauss' rule for polynomials up to degree five
-static const scalar gaussPoint[] =
-{
-    0.5 - Foam::sqrt(0.15), 0.5, 0.5 + Foam::sqrt(0.15)
-};
-static const scalar gaussWeight[] = {5.0/18, 8.0/18, 5.0/18};
-
-//- Mean over a tetrahedron of polynomials up to degree three, in the directions
-//  of a collapsed cube
-template<class Type>
-static Type mean
-(
-    const std::function<Type(const point&)>& f, const FixedList<point, 4>& x
-)
-{
-    Type sum(Zero);
-    for (label i = 0; i < 27; ++i)
-    {
-        const label a = i/9, b = i/3 % 3, c = i % 3;
-        const scalar u = gaussPoint[a], v = gaussPoint[b], w = gaussPoint[c];
-        const point y
-        (
-            x[0] + u*(x[1] - x[0] + v*(x[2] - x[1] + w*(x[3] - x[2])))
-        );
-        sum += 6*gaussWeight[a]*gaussWeight[b]*gaussWeight[c]*u*u*v*f(y);
-    }
-    return sum;
-}
-
-
-//- The same over a triangle
-static vector mean
-(
-    const std::function<vector(const point&)>& f, const triPointRef& t
-)
-{
-    vector sum(Zero);
-    for (label i = 0; i < 9; ++i)
-    {
-        const scalar u = gaussPoint[i/3], v = gaussPoint[i % 3];
-        const point y(t.a() + u*(t.b() - t.a() + v*(t.c() - t.b())));
-        sum += 2*gaussWeight[i/3]*gaussWeight[i % 3]*u*f(y);
-    }
-    return sum;
-}
-
-
-static FixedList<point, 4> corners(const fvMesh& mesh, const label celli)
-{
-    FixedList<point, 4> x;
-    forAll(x, k)
-    {
-        x[k] = mesh.points()[mesh.cellPoints()[celli][k]];
-    }
-    return x;
-}
-
-
-//- A cubic flow with quadratic pressure, in axes that are not the mesh's, driven
-//  by a force per volume push + stretch.x + spin ^ x
-static exactFlow cubicFlow
-(
-    const vector& push = Zero,
-    const symmTensor& stretch = Zero,
-    const vector& spin = Zero
-)
-{
-    const vector a(normalised(vector(1, 2, -1)));
-    const vector b(normalised(vector(2, -1, 0)));
-    const tensor R(a, b, a ^ b);
-    // one with pressure, the gradient of a harmonic function, lower degrees
-    const auto local = [](const point& x)
-    {
-        const scalar X = x.x(), Y = x.y(), Z = x.z();
-        return vector
-        (
-            -pow3(Z) + 4*pow3(X) - 12*X*sqr(Y) + Y*Z + 2*Y - 0.4,
-            -12*sqr(X)*Y + 4*pow3(Y) + 0.7*sqr(X),
-            -pow3(X) - 0.3*X*Y + 1.1
-        );
-    };
-    const auto gradient = [](const point& x)
-    {
-        const scalar X = x.x(), Y = x.y(), Z = x.z();
-        return tensor
-        (
-            12*sqr(X) - 12*sqr(Y), -24*X*Y + 1.4*X, -3*sqr(X) - 0.3*Y,
-            -24*X*Y + Z + 2, -12*sqr(X) + 12*sqr(Y), -0.3*X,
-            -3*sqr(Z) + Y, 0, 0
-        );
-    };
-    // and what a force per volume adds that is linear, in part a rotating one
-    const auto forced = [=](const point& x)
-    {
-        return magSqr(x)*(spin ^ x)/(-10*mu);
-    };
-    exactFlow flow;
-    flow.u = [=](const point& x) { return (R.T() & local(R & x)) + forced(x); };
-    flow.gradU = [=](const point& x)
-    {
-        const tensor ofSpin
-        (
-            0, spin.z(), -spin.y(), -spin.z(), 0, spin.x(), spin.y(), -spin.x(), 0
-        );
-        return
-            (R.T() & gradient(R & x) & R)
-          - (2*x*(spin ^ x) + magSqr(x)*ofSpin)/(10*mu);
-    };
-    flow.p = [=](const point& x)
-    {
-        const point y(R & x);
-        return
-            mu*(-6*y.x()*y.z() + 1.4*y.y()) + 0.3
-          + (push & x) + 0.5*(x & stretch & x);
-    };
-    return flow;
-}
-
 
 //- Set the cells to the means of a flow, and what is given to its velocity
 static void setFlow(appliedOperator& a, const exactFlow& flow)
@@ -181,7 +62,7 @@ static void checkCubic(checks& c)
     const testMeshes box(boundBox(point(-1, -1, -1), point(1, 1, 1)));
     autoPtr<fvMesh> mesh(box.mesh("tetrahedra", 5));
     appliedOperator a(mesh(), mu, wordList(), {4});
-    const exactFlow flow(cubicFlow());
+    const exactFlow flow(cubicFlow(mu));
     setFlow(a, flow);
     const scalar S = Foam::pow(gAverage(mesh->cellVolumes()), 2.0/3.0);
     Info<< "    " << mesh->nCells() << " tetrahedra" << endl;
@@ -216,7 +97,7 @@ static void checkForced(checks& c, const word& name, const wordList& open)
     const scalarField& V = mesh->cellVolumes();
     a.force =
         push + (stretch & mesh->cellCentres()) + (spin ^ mesh->cellCentres());
-    setFlow(a, cubicFlow(push, stretch, spin));
+    setFlow(a, cubicFlow(mu, push, stretch, spin));
     forAll(V, i)
     {
         for (label k = 0; k < 3; ++k)

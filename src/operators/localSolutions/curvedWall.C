@@ -292,7 +292,8 @@ void Foam::fsbi::curvedWall::setOnEdges
 ) const
 {
     const polyPatch& pp = mesh_.boundaryMesh()[patchi];
-    const pointField& x = mesh_.points();
+    const pointField& x = pp.localPoints();
+    const labelList& vertices = pp.meshPoints();
     const auto at = [&](const label v) -> const vector&
     {
         return u[vertexNumber_[v]];
@@ -301,13 +302,13 @@ void Foam::fsbi::curvedWall::setOnEdges
     scalarField count(x.size(), Zero);
     forAll(pp, i)
     {
-        const face& f = pp[i];
+        const face& f = pp.localFaces()[i];
         const vector perArea(pp.faceAreas()[i]/(2*magSqr(pp.faceAreas()[i])));
         tensor g(Zero);
         forAll(f, k)
         {
             const label next = f[(k + 1) % 3], last = f[(k + 2) % 3];
-            g += (perArea ^ (x[last] - x[next]))*at(f[k]);
+            g += (perArea ^ (x[last] - x[next]))*at(vertices[f[k]]);
         }
         for (const label v : f)
         {
@@ -315,19 +316,29 @@ void Foam::fsbi::curvedWall::setOnEdges
             count[v] += 1;
         }
     }
-    syncTools::syncPointList(mesh_, gradient, plusEqOp<tensor>(), tensor::zero);
-    syncTools::syncPointList(mesh_, count, plusEqOp<scalar>(), scalar(0));
+    syncTools::syncPointList
+    (
+        mesh_, vertices, gradient, plusEqOp<tensor>(), tensor::zero
+    );
+    syncTools::syncPointList
+    (
+        mesh_, vertices, count, plusEqOp<scalar>(), scalar(0)
+    );
     forAll(edges_, i)
     {
         if (edgePatch_[i] == patchi)
         {
             const label a = edges_[i].start(), b = edges_[i].end();
-            const vector e(edges_[i].vec(x));
+            const vector e(edges_[i].vec(mesh_.points()));
             const auto along = [&](const label v)
             {
-                return smooth_[v] ? (e & gradient[v])/count[v] : vector::zero;
+                const label local = pp.whichPoint(v);
+                return
+                    smooth_[v]
+                  ? (e & gradient[local])/count[local] : vector::zero;
             };
-            u[vertices_.size() + i] = 0.5*(at(a) + at(b)) + (along(a) - along(b))/8;
+            u[vertices_.size() + i] =
+                0.5*(at(a) + at(b)) + (along(a) - along(b))/8;
         }
     }
 }

@@ -85,6 +85,26 @@ void Foam::fsbi::momentumEquation::update()
 }
 
 
+void Foam::fsbi::momentumEquation::setForce() const
+{
+    const bool any = returnReduce
+    (
+        std::any_of
+        (
+            rows_.begin(), rows_.end(),
+            [](const scalar row) { return row != 0; }
+        ),
+        orOp<bool>()
+    );
+    const scalarField& V = mesh_.cellVolumes();
+    force_.setSize(any ? V.size() : 0);
+    forAll(force_, i)
+    {
+        force_[i] = -vector(rows_[4*i], rows_[4*i + 1], rows_[4*i + 2])/V[i];
+    }
+}
+
+
 void Foam::fsbi::momentumEquation::apply
 (
     const scalar* x,
@@ -93,22 +113,9 @@ void Foam::fsbi::momentumEquation::apply
     vectorField& traction
 ) const
 {
-    const scalarField& V = mesh_.cellVolumes();
-    const bool any =
-        terms_.size()
-     && returnReduce
-        (
-            std::any_of
-            (
-                rows_.begin(), rows_.end(),
-                [](const scalar row) { return row != 0; }
-            ),
-            orOp<bool>()
-        );
-    force_.setSize(any ? V.size() : 0);
-    forAll(force_, i)
+    if (terms_.size() && viscous_->needsForce())
     {
-        force_[i] = -vector(rows_[4*i], rows_[4*i + 1], rows_[4*i + 2])/V[i];
+        setForce();
     }
     viscous_->residual(x, given, force_, r, traction);
     forAll(rows_, i)
