@@ -13,6 +13,7 @@ import numpy as np
 
 HALF = 4
 EDGE = 0.8                              # half of the cube's, of the cylinder's length
+THIN = 0.1                              # half of the disc's thickness
 APART = 1.5                             # centres of the two spheres, from the middle
 
 
@@ -42,6 +43,10 @@ def cylinder():
     return [gmsh.model.occ.addCylinder(0, 0, -EDGE, 0, 0, 2 * EDGE, 1)]
 
 
+def disc():
+    return [gmsh.model.occ.addCylinder(0, 0, -THIN, 0, 0, 2 * THIN, 1)]
+
+
 def positive(a):
     return f"(({a}) + sqrt(({a}) * ({a}))) / 2"
 
@@ -64,6 +69,7 @@ BODIES = {
                    f"({LEFT} + {RIGHT} - sqrt(({LEFT} - {RIGHT})^2)) / 2 - 1"),
     "box": (box, outside(*(f"sqrt({x}*{x}) - {EDGE}" for x in "xyz"))),
     "cylinder": (cylinder, outside("sqrt(x*x + y*y) - 1", f"sqrt(z*z) - {EDGE}")),
+    "disc": (disc, outside("sqrt(x*x + y*y) - 1", f"sqrt(z*z) - {THIN}")),
 }
 
 
@@ -74,8 +80,16 @@ def in_box(body):
     gmsh.model.occ.synchronize()
 
 
-def distance(body):
-    return BODIES[body][1]
+def set_sizes(body, size, growth):
+    """Edges of that size on the body and growing with the distance; a quarter of it
+    at the cube's corners, which no mode of an edge fits."""
+    sizes = f"{size} + {growth} * ({BODIES[body][1]})"
+    if body == "box":
+        corner = "sqrt(" + " + ".join(f"(sqrt({x}*{x}) - {EDGE})^2" for x in "xyz") + ")"
+        sizes = f"Min({sizes}, {size / 4} + {corner} / 2)"
+    field = gmsh.model.mesh.field.add("MathEval")
+    gmsh.model.mesh.field.setString(field, "F", sizes)
+    gmsh.model.mesh.field.setAsBackgroundMesh(field)
 
 
 def stokes(points):
@@ -97,11 +111,12 @@ def flow(body):
 
 def triangles(body, size, path):
     gmsh.initialize()
-    gmsh.option.setNumber("General.Terminal", 0)
-    gmsh.option.setNumber("Mesh.MeshSizeMin", size)
-    gmsh.option.setNumber("Mesh.MeshSizeMax", size)
+    for option in "General.Terminal", "Mesh.MeshSizeExtendFromBoundary", \
+            "Mesh.MeshSizeFromPoints":
+        gmsh.option.setNumber(option, 0)
     BODIES[body][0]()
     gmsh.model.occ.synchronize()
+    set_sizes(body, size, 0)
     gmsh.model.mesh.generate(2)
     gmsh.write(path)
     gmsh.finalize()

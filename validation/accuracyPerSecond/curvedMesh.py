@@ -22,10 +22,7 @@ def generate(body, size, growth):
                           ("Mesh.MeshSizeFromPoints", 0)):
         gmsh.option.setNumber(option, value)
     bodies.in_box(body)
-    field = gmsh.model.mesh.field.add("MathEval")
-    gmsh.model.mesh.field.setString(
-        field, "F", f"{size} + {growth} * ({bodies.distance(body)})")
-    gmsh.model.mesh.field.setAsBackgroundMesh(field)
+    bodies.set_sizes(body, size, growth)
     gmsh.model.mesh.generate(3)
 
 

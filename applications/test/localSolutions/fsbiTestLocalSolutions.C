@@ -27,43 +27,13 @@ using namespace Foam::fsbi;
 
 static const scalar mu = 1.7;
 
-//- Set the cells to the means of a flow, and what is given to its velocity
-static void setFlow(appliedOperator& a, const exactFlow& flow)
-{
-    for (label i = 0; i < a.mesh.nCells(); ++i)
-    {
-        const FixedList<point, 4> x(corners(a.mesh, i));
-        const vector u(mean(flow.u, x));
-        a.x[4*i] = u.x();
-        a.x[4*i + 1] = u.y();
-        a.x[4*i + 2] = u.z();
-        a.x[4*i + 3] = mean(flow.p, x);
-    }
-    forAll(a.b.faces, i)
-    {
-        const face& f = a.mesh.faces()[a.mesh.nInternalFaces() + i];
-        const pointField& p = a.mesh.points();
-        const triPointRef t(p[f[0]], p[f[1]], p[f[2]]);
-        const std::function<vector(const point&)> traction =
-            [&](const point& x) { return flow.traction(x, t.unitNormal(), mu); };
-        a.b.faces[i] =
-            mean(a.stokes.velocityGiven()[i] ? flow.u : traction, t);
-    }
-    forAll(a.b.vertices, i)
-    {
-        a.b.vertices[i] = flow.u(a.stokes.wallPoints()[i]);
-    }
-    a.apply();
-}
-
-
 static void checkCubic(checks& c)
 {
     const testMeshes box(boundBox(point(-1, -1, -1), point(1, 1, 1)));
     autoPtr<fvMesh> mesh(box.mesh("tetrahedra", 5));
     appliedOperator a(mesh(), mu, wordList(), {4});
     const exactFlow flow(cubicFlow(mu));
-    setFlow(a, flow);
+    setFlow(a, flow, mu);
     const scalar S = Foam::pow(gAverage(mesh->cellVolumes()), 2.0/3.0);
     Info<< "    " << mesh->nCells() << " tetrahedra" << endl;
     // bound: round-off in sums of some hundred terms of order ten
@@ -97,7 +67,7 @@ static void checkForced(checks& c, const word& name, const wordList& open)
     const scalarField& V = mesh->cellVolumes();
     a.force =
         push + (stretch & mesh->cellCentres()) + (spin ^ mesh->cellCentres());
-    setFlow(a, cubicFlow(mu, push, stretch, spin));
+    setFlow(a, cubicFlow(mu, push, stretch, spin), mu);
     forAll(V, i)
     {
         for (label k = 0; k < 3; ++k)

@@ -16,7 +16,7 @@ namespace fsbi
 //- Cosine of the angle between a facet's normal and the mean around its vertex
 //  from which on the surface has an edge there: 35 degrees, twice that between
 //  facets. A sphere of 60 facets has 21 degrees
-static const scalar sharp = 0.82;
+static const scalar sharpCosine = 0.82;
 
 //- Of points that several processors have, the lowest number
 struct joinRings
@@ -59,6 +59,7 @@ Foam::fsbi::curvedWall::curvedWall
     faces_(faces),
     vertices_(vertices),
     vertexNumber_(mesh.nPoints(), -1),
+    sharp_(mesh, faces_),
     onSurface_(onSurface)
 {
     forAll(vertices_, i)
@@ -165,7 +166,8 @@ void Foam::fsbi::curvedWall::addAcrossCells
 void Foam::fsbi::curvedWall::setAround()
 {
     const globalIndex number(nOwn());
-    labelList vertex(mesh_.nPoints(), labelMax);
+    labelList& vertex = globalVertex_;
+    vertex = labelList(mesh_.nPoints(), labelMax);
     forAll(vertices_, i)
     {
         vertex[vertices_[i]] = number.toGlobal(i);
@@ -206,9 +208,13 @@ void Foam::fsbi::curvedWall::bend(const label patchi)
     const vectorField facet(pp.faceAreas()/mag(pp.faceAreas()));
     forAll(pp, i)
     {
-        for (const label v : pp[i])
+        const face& f = pp[i];
+        forAll(f, k)
         {
-            normal[v] += facet[i];
+            const point& v = x[f[k]];
+            normal[f[k]] +=
+                wallFacet::angle(x[f.nextLabel(k)] - v, x[f.prevLabel(k)] - v)
+               *facet[i];
         }
     }
     syncTools::syncPointList(mesh_, normal, plusEqOp<vector>(), vector::zero);
@@ -217,7 +223,7 @@ void Foam::fsbi::curvedWall::bend(const label patchi)
     {
         for (const label v : pp[i])
         {
-            smooth_[v] = smooth_[v] && (normal[v] & facet[i]) > sharp;
+            smooth_[v] = smooth_[v] && (normal[v] & facet[i]) > sharpCosine;
         }
     }
     syncTools::syncPointList(mesh_, smooth_, andEqOp<bool>(), true);
@@ -228,6 +234,12 @@ void Foam::fsbi::curvedWall::bend(const label patchi)
             const vector e(edges_[i].vec(x));
             const auto lift = [&](const label v)
             {
+                const auto sharp = sharp_.vertices().cfind(v);
+                if (sharp.found())
+                {
+                    const label other = globalVertex_[edges_[i].otherVertex(v)];
+                    return sharp.val().lift(other, e);
+                }
                 return smooth_[v] ? (e & normal[v])*normal[v] : vector::zero;
             };
             points_[vertices_.size() + i] +=
@@ -263,6 +275,7 @@ void Foam::fsbi::curvedWall::moveBack(const label patchi)
 void Foam::fsbi::curvedWall::update()
 {
     const pointField& x = mesh_.points();
+    sharp_.update(globalVertex_);
     points_.setSize(nOwn());
     smooth_ = boolList(x.size(), true);
     forAll(vertices_, i)
@@ -273,6 +286,8 @@ void Foam::fsbi::curvedWall::update()
     {
         points_[vertices_.size() + i] = edges_[i].centre(x);
     }
+    onFacets_ = points_;
+    fill(onFacets_);
     const label nPatches = mesh_.boundaryMesh().nNonProcessor();
     for (label patchi = 0; patchi < nPatches; ++patchi)
     {

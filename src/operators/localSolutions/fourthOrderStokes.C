@@ -164,12 +164,15 @@ void Foam::fsbi::fourthOrderStokes::update()
 
 Foam::fsbi::faceSolutions Foam::fsbi::fourthOrderStokes::faces() const
 {
+    const wedgeFits& wedges = fits_.wedges();
     return
     {
         coefficients_.cdata(), fits_.perLength().cdata(),
         fits_.origins().cdata(), corners_.cdata(), faceMoments_.cdata(),
         mesh_.faceCentres().cdata(), mesh_.faceAreas().cdata(),
-        defects_.cdata()
+        defects_.cdata(),
+        wedges.any() ? wedges.faceStart().cdata() : nullptr,
+        wedges.onFaces().cdata(), wedges.amplitudes().cdata()
     };
 }
 
@@ -237,7 +240,9 @@ Foam::fsbi::fourthOrderStokes::velocityGradients() const
             const scalar* c =
                 coefficients_.cdata() + stokesPolynomials::nCoefficients*v;
             scalar a[nCubic], g[nCubic];
-            const vector d(mesh_.cellCentres()[celli] - fits_.origins()[v]);
+            const point& centre = mesh_.cellCentres()[celli];
+            const vector d(centre - fits_.origins()[v]);
+            gradient += 0.25*fits_.wedges().gradient(v, s, centre);
             setMonomials(s*d, a);
             for (direction i = 0; i < 3; ++i)
             {

@@ -54,13 +54,11 @@ Foam::vector Foam::fsbi::fourthOrderStokes::velocityAt
     const label v, const point& x
 ) const
 {
-    const scalar* c =
-        coefficients_.cdata() + stokesPolynomials::nCoefficients*v;
-    scalar a[nCubic];
-    setMonomials(fits_.perLength()[v]*(x - fits_.origins()[v]), a);
-    fourNumbers sum = {0, 0, 0, 0};
-    addProducts<nCubic>(a, c, sum);
-    return velocity(sum);
+    return velocityOf
+    (
+        coefficients_.cdata() + stokesPolynomials::nCoefficients*v,
+        fits_.perLength()[v]*(x - fits_.origins()[v])
+    );
 }
 
 
@@ -119,6 +117,11 @@ void Foam::fsbi::fourthOrderStokes::setTractionMoments() const
                     (x - mesh_.faceCentres()[facei])
                   ^ (mu_/3*tractionAt(facei, x));
             }
+            const auto addMode = [&](const modeOnFace& mode, const scalar a)
+            {
+                tractionMoments_[i] += mu_*a*mode.moment;
+            };
+            fits_.wedges().forFace(facei, addMode);
         }
     }
 }
@@ -143,6 +146,11 @@ Foam::vector Foam::fsbi::fourthOrderStokes::transposedAtWall
               + 2*(velocityAt(a, middle) + velocityAt(b, middle))
             )/6;
     }
+    const auto addMode = [&](const modeOnFace& mode, const scalar a)
+    {
+        sum += a*mode.transposed;
+    };
+    fits_.wedges().forFace(facei, addMode);
     return sum;
 }
 

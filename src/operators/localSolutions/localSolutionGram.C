@@ -46,10 +46,16 @@ Foam::fsbi::localSolutionGram::normal() const
 
 bool Foam::fsbi::localSolutionGram::factorise
 (
-    const bool onWall, const scalar least
+    const bool onWall, const bool lowDegree, const scalar least
 )
 {
     solutionMatrix N(normal());
+    if (lowDegree)
+    {
+        nUsed_ = stokesPolynomials::nQuadraticSolutions;
+        N.bottomRows(n - nUsed_).setZero();
+        N.diagonal().tail(n - nUsed_).setOnes();
+    }
     if (onWall)
     {
         N.leftCols<3>().setZero();
@@ -74,7 +80,7 @@ void Foam::fsbi::localSolutionGram::inverseFactor(scalar* rows) const
     {
         for (label j = 0; j < 4*(i/4 + 1); ++j)
         {
-            *rows++ = j <= i ? inverse(i, j) : 0;
+            *rows++ = j <= i && i < nUsed_ ? inverse(i, j) : 0;
         }
     }
 }

@@ -35,7 +35,8 @@ Foam::fsbi::localSolutionStencil::localSolutionStencil
 :
     mesh_(mesh),
     wall_(mesh, wall, vertices, onSurface),
-    cells_(mesh)
+    cells_(mesh),
+    wedges_(mesh, wall_)
 {
     checkCells();
     setCells();
@@ -168,9 +169,31 @@ bool Foam::fsbi::localSolutionStencil::factorise(const label v)
         setMonomials(d, a);
         gram.addPoint(a, pointWeight(magSqr(d)));
     }
-    const bool sound = gram.factorise(onWall >= 0, illConditioned);
+    const bool sound =
+        gram.factorise(onWall >= 0, wedges_.lowDegree(v), illConditioned);
     gram.inverseFactor(factor_.begin() + v*localSolutionGram::factorSize);
     return sound;
+}
+
+
+Foam::fsbi::vertexFit Foam::fsbi::localSolutionStencil::fitAt
+(
+    const label v, const scalar* values, const vector& u
+) const
+{
+    return vertexFit
+    {
+        solutions_,
+        factor_.cdata() + v*localSolutionGram::factorSize,
+        perLength_[v],
+        origin_[v],
+        wall_.number(v) >= 0,
+        fourNumbers{u.x(), u.y(), u.z(), 0},
+        cells_[v],
+        centres_.cdata(),
+        moments_.cdata(),
+        values
+    };
 }
 
 
@@ -186,6 +209,18 @@ void Foam::fsbi::localSolutionStencil::update()
         joined_ = false;
     }
     setGeometry();
+    wedges_.findEdges();
+    factorise();
+    const auto withoutValues = [this](const label v)
+    {
+        return fitAt(v, nullptr, Zero);
+    };
+    wedges_.update(cells_, perLength_, withoutValues);
+}
+
+
+void Foam::fsbi::localSolutionStencil::factorise()
+{
     perLength_.setSize(mesh_.nPoints());
     factor_.setSize(mesh_.nPoints()*localSolutionGram::factorSize);
     boolList wanted(mesh_.nPoints(), true);
