@@ -148,18 +148,28 @@ def limit(rows):
     return found.limit, found.uncertainty / found.limit
 
 
+def line(x, y, at):
+    """By a straight line through all runs (log-log)."""
+    fitted = np.polyfit(np.log(x), np.log(y), 1)
+    return float(np.exp(np.polyval(fitted, np.log(at))))
+
+
 def typical(rows, exact, unsure, error):
-    """Seconds at an error, by a straight line through all runs (log-log)."""
+    """Seconds at an error."""
     found = np.maximum(errors(rows, exact), unsure)
-    line = np.polyfit(np.log(found), np.log([r["seconds"] for r in rows]), 1)
-    return float(np.exp(np.polyval(line, np.log(error))))
+    return line(found, [r["seconds"] for r in rows], error)
+
+
+def error_at(cells, rows, exact, unsure):
+    found = np.maximum(errors(rows, exact), unsure)
+    return line([r["cells"] for r in rows], found, cells)
 
 
 def of_others(elements):
-    """On three meshes each, at the error of order 4 on the middle one. A box, a cylinder:
-    sharp edges."""
+    """On three meshes each: seconds at the error of order 4 on the middle one, errors at
+    equal cells. The last three have sharp edges."""
     curves = {}
-    for body in ("ellipsoid", "twoSpheres", "box", "cylinder"):
+    for body in ("ellipsoid", "twoSpheres", "box", "cylinder", "disc"):
         theirs = [r for r in elements if r["body"] == body]
         exact, unsure = limit(theirs)
         fourth, theirs = own(body, "order4"), theirs[:3]
@@ -173,12 +183,16 @@ def of_others(elements):
                     / typical(theirs, exact, unsure, error), 0, 1,
                     cells=fourth[-1]["cells"], seconds=fourth[1]["seconds"],
                     variant=f"{body} {100 * error:.2g}%")
+        mine, peers = (error_at(12000, rows, exact, unsure) for rows in (fourth, theirs))
+        # bound: the project's goal: at equal cells no further off, and by 0.3 % at most
+        results.add("error_over_TaylorHood_at_12k_abs", mine / peers, 0, 1, variant=body)
+        results.add("error_at_12k_abs", mine, 0, 0.003, variant=body)
         curves[body] = fourth, theirs, exact, unsure
     draw_others(curves)
 
 
 def draw_others(curves):
-    figure, axes = plots.plt.subplots(1, len(curves), figsize=(11, 3.6), sharey=True)
+    figure, axes = plots.plt.subplots(1, len(curves), figsize=(13, 3.4), sharey=True)
     for a, (body, (fourth, theirs, exact, unsure)) in zip(axes, curves.items()):
         a.axhspan(1e-6, 100 * unsure, color="#eeeeee")
         for i, method in ((0, "order4"), (3, "TaylorHood")):
