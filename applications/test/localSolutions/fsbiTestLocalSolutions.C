@@ -204,38 +204,6 @@ static void checkFree(checks& c)
 }
 
 
-//- Any smooth flow on the boundary and force, anything at all in the cells
-static void disturb(appliedOperator& a, const labelUList& cells)
-{
-    const auto u = [](const point& x)
-    {
-        return vector
-        (
-            Foam::sin(x.y() + 2*x.z()), Foam::cos(x.x() - x.z()),
-            Foam::sin(x.x()*x.y())
-        );
-    };
-    forAll(a.x, i)
-    {
-        a.x[i] = noise(4*cells[i/4] + i % 4);
-    }
-    forAll(a.b.faces, i)
-    {
-        a.b.faces[i] = u(a.mesh.faceCentres()[a.mesh.nInternalFaces() + i]);
-    }
-    forAll(a.b.vertices, i)
-    {
-        a.b.vertices[i] = u(a.stokes.wallPoints()[i]);
-    }
-    a.force.setSize(cells.size());
-    forAll(cells, i)
-    {
-        a.force[i] = u(a.mesh.cellCentres()[i]);
-    }
-    a.apply();
-}
-
-
 //- A moved mesh against a new one
 static void checkUpdate(checks& c)
 {

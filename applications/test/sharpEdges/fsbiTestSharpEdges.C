@@ -393,33 +393,6 @@ static void checkSingular(checks& c, appliedOperator& a)
 }
 
 
-//- Something in every cell and on the boundary
-static void disturb(appliedOperator& a, const labelUList& cells)
-{
-    const auto u = [](const point& x)
-    {
-        return vector
-        (
-            Foam::sin(x.y() + 2*x.z()), Foam::cos(x.x() - x.z()),
-            Foam::sin(x.x()*x.y())
-        );
-    };
-    forAll(a.x, i)
-    {
-        a.x[i] = noise(4*cells[i/4] + i % 4);
-    }
-    forAll(a.b.faces, i)
-    {
-        a.b.faces[i] = u(a.mesh.faceCentres()[a.mesh.nInternalFaces() + i]);
-    }
-    forAll(a.b.vertices, i)
-    {
-        a.b.vertices[i] = u(a.stokes.wallPoints()[i]);
-    }
-    a.apply();
-}
-
-
 //- The same on one processor and on all, edges of the cube cut as well
 static void checkParallel(checks& c)
 {
