@@ -14,6 +14,7 @@ from fsbi.results import Results
 quick = sys.argv[1:2] == ["true"]
 CASES = {
     "tumourCellInShear": "S6: rotation and path of a free sphere, exact",
+    "tumourCellInShearOrder4": "the same by order 4",
     "tumourCellInUniformFlow": "S5: velocity while set in motion, exact",
     "softCellInShear": "B2: shape of an elastic sphere, exact if incompressible",
     "beamFlexure": "S3: displacement and stress, exact",
@@ -30,6 +31,8 @@ CASES = {
     "helix": "S7: resistance, boundary integrals",
 }
 METHODS = {
+    "free sphere in shear": (["tumourCellInShear", "tumourCellInShearOrder4"],
+                             "order-2 order-4"),
     "drag of a sphere": (["dragCoupled", "dragSIMPLEC"], "coupled SIMPLEC"),
     "flexed beam": (["beamNewtonKrylov", "beamSegregated"], "NewtonKrylov segregated"),
     "soft cell in a flow": (["schemeMonolithic", "schemeIQNILS", "schemeSemiImplicit"],
