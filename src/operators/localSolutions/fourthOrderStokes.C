@@ -164,15 +164,12 @@ void Foam::fsbi::fourthOrderStokes::update()
 
 Foam::fsbi::faceSolutions Foam::fsbi::fourthOrderStokes::faces() const
 {
-    const wedgeFits& wedges = fits_.wedges();
     return
     {
         coefficients_.cdata(), fits_.perLength().cdata(),
         fits_.origins().cdata(), corners_.cdata(), faceMoments_.cdata(),
         mesh_.faceCentres().cdata(), mesh_.faceAreas().cdata(),
-        defects_.cdata(),
-        wedges.any() ? wedges.faceStart().cdata() : nullptr,
-        wedges.onFaces().cdata(), wedges.amplitudes().cdata()
+        defects_.cdata(), fits_.wedges()
     };
 }
 

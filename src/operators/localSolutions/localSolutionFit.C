@@ -115,7 +115,6 @@ static void subtractForced
     }
 }
 
-
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -127,20 +126,27 @@ void Foam::fsbi::localSolutionStencil::addModes
 ) const
 {
     const label nCells = f.cells.size();
-    scalarList residuals(4*nCells);
-    setDefects(f, rows, c, identity(nCells), residuals.begin());
+    if (consecutive_.size() < nCells)
+    {
+        consecutive_ = identity(2*nCells);
+    }
+    residuals_.setSize(4*nCells);
+    setDefects
+    (
+        f, rows, c, SubList<label>(consecutive_, nCells), residuals_.begin()
+    );
     if (f.onWall)
     {
         const labelList& ring = wall_.around(wall_.number(v));
-        residuals.setSize(4*nCells + 3*(ring.size() - 1));
+        residuals_.setSize(4*nCells + 3*(ring.size() - 1));
         for (label j = 1; j < ring.size(); ++j)
         {
             const vector x(f.perLength*(wall_.points()[ring[j]] - f.origin));
             const vector left(onWall[ring[j]] - velocityOf(c, x));
-            std::copy_n(left.cdata(), 3, &residuals[4*nCells + 3*(j - 1)]);
+            std::copy_n(left.cdata(), 3, &residuals_[4*nCells + 3*(j - 1)]);
         }
     }
-    wedges_.add(wedges_.number(v), residuals, place_[v], c, defects);
+    wedges_.add(wedges_.number(v), residuals_, place_[v], c, defects);
 }
 
 

@@ -242,6 +242,7 @@ void Foam::fsbi::wedgeFits::update
     reduced_.clear();
     reducedStart_.clear();
     fitted_.clear();
+    modes_.clear();
     // the same on all processors
     if (wedges_.empty())
     {
@@ -258,7 +259,6 @@ void Foam::fsbi::wedgeFits::update
             addVertex(v, fitAt(v), cells.nTouching(v));
         }
     }
-    weightStart_.append(weights_.size());
     amplitudes_.setSize(nModes*n);
     setFaces(perLength);
 }
