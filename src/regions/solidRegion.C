@@ -79,7 +79,7 @@ bool Foam::fsbi::solidRegion::evaluate()
     {
         forces_ -= rows_.acting;
     }
-    return returnReduce(elastic_->state().valid(), andOp<bool>());
+    return elastic_->valid();
 }
 
 

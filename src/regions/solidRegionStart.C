@@ -102,6 +102,7 @@ void Foam::fsbi::solidRegion::create(const bool saved)
 {
     checkNumerics();
     readFormulation();
+    readOrder();
     volumes_ = mesh().cellVolumes();
     centres_ = mesh().cellCentres();
     fields_.reset(new solidFields(mesh(), saved, inFluid_));
@@ -127,16 +128,14 @@ void Foam::fsbi::solidRegion::create(const bool saved)
     {
         moveMesh();
     }
-    elastic_.reset
+    const bool mixed = checkedDictionary(controls()).getOrDefault
     (
-        new elasticOperator
-        (
-            mesh(), material_(), conditions_->given().kinds, formulation_,
-            checkedDictionary(controls()).getOrDefault
-            (
-                "mixed", material_->nu() >= 0.45
-            )
-        )
+        "mixed", order_ == 2 && material_->nu() >= 0.45
+    );
+    elastic_ = elasticOperator::New
+    (
+        order_, mesh(), material_(), conditions_->given().kinds, formulation_,
+        mixed
     );
     x_.setSize(elastic_->size(), 0);
     increment_ = x_;
@@ -212,6 +211,19 @@ void Foam::fsbi::solidRegion::readFormulation()
     if (formulation_ != formulation::totalLagrangian)
     {
         reference_ = mesh().points();
+    }
+}
+
+
+void Foam::fsbi::solidRegion::readOrder()
+{
+    order_ = checkedDictionary(controls()).count("order", 2);
+    if (order_ != 2 && order_ != 4)
+    {
+        FatalErrorInFunction
+            << "Entry 'order' of 'solid' in system/" << name() << "/fvSolution"
+            << " is " << order_ << "; valid choices are (2 4)"
+            << exit(FatalError);
     }
 }
 

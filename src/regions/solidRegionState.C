@@ -76,6 +76,7 @@ void Foam::fsbi::solidRegion::save(dictionary& state) const
 {
     body_.saveShape(state);
     state.set("formulation", constitutiveState::formulationNames[formulation_]);
+    state.set("order", order_);
     state.set("oldStep", oldStep_);
     balance_.save(state);
     dictionary motion;
@@ -110,6 +111,10 @@ void Foam::fsbi::solidRegion::restore(const dictionary& state)
     )
     {
         changed("'formulation' is");
+    }
+    if (state.getOrDefault<label>("order", 2) != order_)
+    {
+        changed("'order' is");
     }
     const label size = x_.size();
     motion_->restore(state.subDict("motion"));

@@ -241,7 +241,7 @@ bool Foam::fsbi::coupledSystem::admissible(const scalarList& x)
     {
         rows.setSize(elastic_[e]->elastic->size());
         elastic_[e]->residual(x.cdata() + layout_.elastic(e), rows.begin());
-        valid = valid && elastic_[e]->elastic->state().valid();
+        valid = elastic_[e]->elastic->valid() && valid;
     }
     return valid;
 }

@@ -98,7 +98,7 @@ bool Foam::fsbi::solidResidual::evaluate(const scalarList& x)
         sum += sqr(rows_[i]);
     }
     norm_ = sqrt(returnReduce(sum, sumOp<scalar>()));
-    if (!elastic_.state().valid() || !std::isfinite(norm_))
+    if (!elastic_.valid() || !std::isfinite(norm_))
     {
         return false;
     }

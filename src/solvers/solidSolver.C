@@ -17,6 +17,7 @@ Foam::autoPtr<Foam::fsbi::solidSolver> Foam::fsbi::solidSolver::New
     const checkedDictionary entries(dict);
     entries.found("formulation");
     entries.found("mixed");
+    entries.found("order");
     const word method
     (
         entries.choice("method", {"NewtonKrylov", "segregated"}, "NewtonKrylov")
@@ -43,6 +44,7 @@ void Foam::fsbi::solidSolver::reportUnused
     const checkedDictionary entries(dict);
     entries.found("formulation");
     entries.found("mixed");
+    entries.found("order");
     for (const char* key : {"method", "tolerance", "maxIterations", "relaxation"})
     {
         if (entries.found(key))

@@ -75,7 +75,7 @@ static void printRow
 static void study
 (
     const testMeshes& meshes, const word& kind, const labelList& levels,
-    const bool where
+    const label order, const bool where
 )
 {
     printf
@@ -92,7 +92,8 @@ static void study
             {
                 const manufacturedCube cube
                 (
-                    mesh(), law.entries, tractions, amplitude(law, tractions)
+                    mesh(), law.entries, tractions, amplitude(law, tractions),
+                    order
                 );
                 printRow(kind, law.name, tractions, i + 1, cube);
                 printf("%s", where ? cube.where.c_str() : "");
@@ -197,6 +198,7 @@ int main(int argc, char *argv[])
     argList::noParallel();
     argList::noFunctionObjects();
     argList::addOption("study", "\"kind (levels)\"", "print a table of errors");
+    argList::addOption("order", "label", "2 (default) or 4");
     argList::addBoolOption("where", "with the errors by region");
     argList args(argc, argv);
     petscSession petsc;
@@ -207,7 +209,11 @@ int main(int argc, char *argv[])
     {
         IStringStream entries(args["study"]);
         const word kind(entries);
-        study(meshes, kind, labelList(entries), args.found("where"));
+        study
+        (
+            meshes, kind, labelList(entries),
+            args.getOrDefault<label>("order", 2), args.found("where")
+        );
         return 0;
     }
     checks c;

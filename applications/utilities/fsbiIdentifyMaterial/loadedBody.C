@@ -171,13 +171,10 @@ void Foam::fsbi::loadedBody::setLaw(const dictionary& law)
     solver_.clear();
     elastic_.clear();
     material_ = solidMaterial::New(law_);
-    elastic_.reset
+    elastic_ = elasticOperator::New
     (
-        new elasticOperator
-        (
-            mesh_, material_(), kinds_,
-            constitutiveState::formulation::totalLagrangian, mixed_
-        )
+        2, mesh_, material_(), kinds_,
+        constitutiveState::formulation::totalLagrangian, mixed_
     );
     dictionary controls;
     controls.set("tolerance", 1e-9);

@@ -30,33 +30,40 @@ static const scalar mostViscous = 50;
 
 Foam::fsbi::constitutiveState::constitutiveState
 (
-    const fvMesh& mesh,
+    const word& region,
+    const label nPoints,
     const solidMaterial& material,
     const formulation form,
     const bool mixed
 )
 :
-    region_(mesh.name()),
+    region_(region),
     material_(material),
     formulation_(form),
     mixed_(mixed),
     deltaT_(GREAT),
-    referenceF_(mesh.nPoints(), tensor::I),
-    oldF_(mesh.nPoints(), tensor::I),
-    gradient_(mesh.nPoints(), Zero),
-    F_(mesh.nPoints(), tensor::I),
-    pressure_(mixed ? mesh.nPoints() : 0, Zero),
-    stress_(mesh.nPoints(), Zero),
     valid_(true)
 {
+    setSize(nPoints);
     if (material.linear() && form != formulation::totalLagrangian)
     {
         FatalErrorInFunction
             << "A linear law holds for small displacements of the stress-free"
-            << " body: region " << mesh.name() << " needs formulation"
+            << " body: region " << region << " needs formulation"
             << " totalLagrangian, or StVenantKirchhoff instead of "
             << material.type() << exit(FatalError);
     }
+}
+
+
+void Foam::fsbi::constitutiveState::setSize(const label nPoints)
+{
+    referenceF_ = tensorField(nPoints, tensor::I);
+    oldF_ = referenceF_;
+    F_ = referenceF_;
+    gradient_ = tensorField(nPoints, Zero);
+    pressure_ = scalarField(mixed_ ? nPoints : 0, Zero);
+    stress_ = gradient_;
 }
 
 

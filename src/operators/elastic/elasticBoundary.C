@@ -57,16 +57,46 @@ Foam::vector Foam::fsbi::elasticBoundary::load
     const label ghost, const solidBoundary& given, const tensor& gradient
 ) const
 {
-    const label i = stencil_.firstBoundary() + ghost;
+    const vector& S = stencil_.area()[stencil_.firstBoundary() + ghost];
+    return deadLoad(ghost, given) + followerLoad(ghost, given, S, gradient);
+}
+
+
+Foam::vector Foam::fsbi::elasticBoundary::deadLoad
+(
+    const label ghost, const solidBoundary& given
+) const
+{
+    const vector& S = stencil_.area()[stencil_.firstBoundary() + ghost];
+    return mag(S)*given.faces[stencil_.ghostFaces()[ghost]];
+}
+
+
+bool Foam::fsbi::elasticBoundary::follows
+(
+    const label ghost, const solidBoundary& given
+) const
+{
     const label b = stencil_.ghostFaces()[ghost];
-    const vector& S = stencil_.area()[i];
-    vector t(mag(S)*given.faces[b]);
-    if (given.pressure[b] != 0 || given.follower[b] != vector::zero)
+    return given.pressure[b] != 0 || given.follower[b] != vector::zero;
+}
+
+
+Foam::vector Foam::fsbi::elasticBoundary::followerLoad
+(
+    const label ghost,
+    const solidBoundary& given,
+    const vector& S,
+    const tensor& gradient
+) const
+{
+    if (!follows(ghost, given))
     {
-        const vector A(cofactor(tensor::I + gradient) & S);
-        t += mag(A)*given.follower[b] - given.pressure[b]*A;
+        return Zero;
     }
-    return t;
+    const label b = stencil_.ghostFaces()[ghost];
+    const vector A(cofactor(tensor::I + gradient) & S);
+    return mag(A)*given.follower[b] - given.pressure[b]*A;
 }
 
 
@@ -74,17 +104,16 @@ Foam::vector Foam::fsbi::elasticBoundary::loadTangent
 (
     const label ghost,
     const solidBoundary& given,
+    const vector& S,
     const tensor& gradient,
     const tensor& dGradient
 ) const
 {
-    const label i = stencil_.firstBoundary() + ghost;
-    const label b = stencil_.ghostFaces()[ghost];
-    if (given.pressure[b] == 0 && given.follower[b] == vector::zero)
+    if (!follows(ghost, given))
     {
         return Zero;
     }
-    const vector& S = stencil_.area()[i];
+    const label b = stencil_.ghostFaces()[ghost];
     const tensor F(tensor::I + gradient);
     const vector A(cofactor(F) & S);
     const vector dA(cofactorTangent(F, dGradient) & S);

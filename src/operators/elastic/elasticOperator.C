@@ -3,34 +3,9 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "elasticOperator.H"
-#include "asVectors.H"
-#include "sharedVertices.H"
+#include "fourthOrderElastic.H"
+#include "secondOrderElastic.H"
 #include "syncTools.H"
-
-namespace Foam
-{
-namespace fsbi
-{
-
-//- Of what vertices do not explain, over mu. Near 2/3 the error of bending
-//  that falls with the square of the cells' size is gone and beams are a
-//  little soft, of third order; larger values make them stiff, but the stress
-//  better. In flexure, 8 and 16 cells across, orders of displacement and stress
-//  are 3.6, 1.9496 with 0.7; 5.4, 1.951 with 0.72; 0.9, 1.954 with 0.75, where
-//  both errors cancel on coarse cells. Below 0.5 it is not stable
-static const scalar stabilisation = 0.72;
-
-//- Growth of the stabilisation with the strain: compression of the order of
-//  mu would buckle what it holds. None at small strain
-static const scalar strainStabilisation = 4;
-
-//- Smoothing of the pressure: larger is smoother, and less local
-static const scalar smoothingScale = 1;
-
-} // End namespace fsbi
-} // End namespace Foam
-
 
 Foam::fsbi::elasticOperator::elasticOperator
 (
@@ -45,23 +20,35 @@ Foam::fsbi::elasticOperator::elasticOperator
     material_(material),
     mixed_(mixed),
     stencil_(mesh, kinds),
-    state_(mesh, material, form, mixed),
+    state_(mesh.name(), mesh.nPoints(), material, form, mixed),
     boundary_(stencil_, state_, kinds),
-    jumpHistory_(stencil_.nFaces(), Zero),
-    values_(stencil_.nColumns(), Zero),
-    stiffening_(mesh.nPoints(), Zero),
-    unexplained_(stencil_.nFaces(), Zero),
-    boundaryForce_(stencil_.nGhosts(), Zero),
-    given_(nullptr),
-    dValues_(stencil_.nColumns(), Zero),
-    dGradient_(mesh.nPoints(), Zero),
-    dPressure_(mixed ? mesh.nPoints() : 0, Zero),
-    dStress_(mesh.nPoints(), Zero),
-    dStiffening_(mesh.nPoints(), Zero),
-    dBoundaryForce_(stencil_.nGhosts(), Zero),
-    vertexRow_(dPressure_.size(), Zero)
+    jumpHistory_(stencil_.nFaces(), Zero)
 {
     setOwnedVertices();
+}
+
+
+Foam::autoPtr<Foam::fsbi::elasticOperator> Foam::fsbi::elasticOperator::New
+(
+    const label order,
+    const fvMesh& mesh,
+    const solidMaterial& material,
+    const List<solidBoundary::kind>& kinds,
+    const constitutiveState::formulation form,
+    const bool mixed
+)
+{
+    if (order == 4)
+    {
+        return autoPtr<elasticOperator>
+        (
+            new fourthOrderElastic(mesh, material, kinds, form, mixed)
+        );
+    }
+    return autoPtr<elasticOperator>
+    (
+        new secondOrderElastic(mesh, material, kinds, form, mixed)
+    );
 }
 
 
@@ -113,343 +100,7 @@ Foam::scalarList Foam::fsbi::elasticOperator::rowScale
 }
 
 
-void Foam::fsbi::elasticOperator::gather
-(
-    const scalar* x, vectorField& values
-) const
-{
-    const label nCells = mesh_.nCells();
-    const vector* given = asVectors(x);
-    std::copy_n(given, nCells, values.begin());
-    std::copy_n
-    (
-        given + nCells, stencil_.nGhosts(), values.begin() + stencil_.firstGhost()
-    );
-    stencil_.halo().fill(values.begin()->v_, 3);
-}
-
-
-void Foam::fsbi::elasticOperator::setGradient
-(
-    const vectorField& values, tensorField& gradient
-) const
-{
-    const label* start = stencil_.vertexStart().cdata();
-    const label* column = stencil_.vertexColumn().cdata();
-    const vector* weight = stencil_.gradientWeight().cdata();
-    forAll(gradient, v)
-    {
-        tensor g(Zero);
-        for (label j = start[v]; j < start[v + 1]; ++j)
-        {
-            g += values[column[j]]*weight[j];
-        }
-        gradient[v] = g;
-    }
-    sharedVertices::sum<9>
-    (
-        mesh_, gradient.begin()->v_, stencil_.halo().size()
-    );
-}
-
-
-void Foam::fsbi::elasticOperator::setPressure
-(
-    const scalar* x, scalarField& pressure
-) const
-{
-    if (!mixed_)
-    {
-        return;
-    }
-    const scalar* given = x + 3*(mesh_.nCells() + stencil_.nGhosts());
-    pressure = Zero;
-    forAll(ownedVertices_, i)
-    {
-        pressure[ownedVertices_[i]] = given[i];
-    }
-    sharedVertices::sum<1>(mesh_, pressure.begin(), stencil_.halo().size());
-}
-
-
-Foam::vector Foam::fsbi::elasticOperator::unexplained
-(
-    const label i, const vectorField& values, const tensorField& gradient
-) const
-{
-    return
-        values[stencil_.neighbour()[i]] - values[stencil_.owner()[i]]
-      - (stencil_.faceMean(i, gradient) & (stencil_.delta()[i] - jumpHistory_[i]));
-}
-
-
-void Foam::fsbi::elasticOperator::setStiffening()
-{
-    forAll(stiffening_, v)
-    {
-        const tensor& F = state_.deformation()[v];
-        const scalar q = mag(symm(F.T() & F) - symmTensor::I);
-        stiffening_[v] =
-            material_.linear() ? 0 : strainStabilisation*sqr(q)/(1 + q);
-    }
-}
-
-
-Foam::scalar Foam::fsbi::elasticOperator::stiffeningTangent
-(
-    const label v, const tensor& dF
-) const
-{
-    if (material_.linear())
-    {
-        return 0;
-    }
-    const tensor& F = state_.deformation()[v];
-    const symmTensor strain(symm(F.T() & F) - symmTensor::I);
-    const scalar q = mag(strain);
-    return
-        strainStabilisation*(2 + q)/sqr(1 + q)*2*(strain && symm(F.T() & dF));
-}
-
-
-void Foam::fsbi::elasticOperator::addFaces
-(
-    const tensorField& stress,
-    const vectorField& held,
-    vectorField& force,
-    scalar* r
-) const
-{
-    const label nCells = mesh_.nCells();
-    const label firstBoundary = stencil_.firstBoundary();
-    const scalar mu = material_.mu();
-    vector* row = asVectors(r);
-
-    forAll(stencil_.owner(), i)
-    {
-        const label P = stencil_.owner()[i];
-        const label N = stencil_.neighbour()[i];
-        const vector T
-        (
-            (stencil_.faceMean(i, stress) & stencil_.area()[i])
-          + mu*stencil_.compact()[i]*held[i]
-        );
-        if (i >= firstBoundary)
-        {
-            force[i - firstBoundary] = T;
-            continue;
-        }
-        row[P] -= T;
-        if (N < nCells)
-        {
-            row[N] += T;
-        }
-    }
-}
-
-
-void Foam::fsbi::elasticOperator::addPressures
-(
-    const scalarField& volume, const scalarField& pressure, scalar* r
-) const
-{
-    vertexRow_ = Zero;
-    for (label celli = 0; celli < mesh_.nCells(); ++celli)
-    {
-        const labelList& points = mesh_.cellPoints()[celli];
-        scalar mean = 0;
-        for (const label v : points)
-        {
-            mean += pressure[v]/points.size();
-        }
-        const scalar weight =
-            smoothingScale*mesh_.cellVolumes()[celli]
-           /(points.size()*material_.mu());
-        for (const label v : points)
-        {
-            vertexRow_[v] += weight*(pressure[v] - mean);
-        }
-    }
-    sharedVertices::sum<1>(mesh_, vertexRow_.begin(), stencil_.halo().size());
-
-    scalar* row = r + 3*(mesh_.nCells() + stencil_.nGhosts());
-    forAll(ownedVertices_, i)
-    {
-        const label v = ownedVertices_[i];
-        row[i] =
-            vertexRow_[v]
-          + stencil_.vertexVolume()[v]
-           *(volume[v] + pressure[v]/material_.lambda());
-    }
-}
-
-
-void Foam::fsbi::elasticOperator::residual
-(
-    const scalar* x, const solidBoundary& given, scalar* r
-)
-{
-    std::fill_n(r, size(), scalar(0));
-    gather(x, values_);
-    setGradient(values_, state_.gradient());
-    setPressure(x, state_.pressure());
-    state_.evaluate();
-    const tensorField& gradient = state_.gradient();
-    given_ = &given;
-    setStiffening();
-    vectorField held(stencil_.nFaces());
-    forAll(held, i)
-    {
-        unexplained_[i] = jumpHistory_[i] + unexplained(i, values_, gradient);
-        held[i] =
-            (stabilisation + stencil_.faceMean(i, stiffening_))*unexplained_[i];
-    }
-    addFaces(state_.stress(), held, boundaryForce_, r);
-
-    vectorField atGhosts(stencil_.nGhosts());
-    forAll(atGhosts, g)
-    {
-        atGhosts[g] =
-            boundary_.kindOf(g) == solidBoundary::displacement
-          ? given.faces[stencil_.ghostFaces()[g]]
-          : boundary_.load(g, given, meanAtGhost(g, gradient));
-    }
-    boundary_.addRows(values_, gradient, boundaryForce_, atGhosts, r);
-    forAll(atGhosts, g)
-    {
-        if (boundary_.kindOf(g) == solidBoundary::traction)
-        {
-            boundaryForce_[g] = atGhosts[g];
-        }
-    }
-    if (mixed_)
-    {
-        scalarField volume(mesh_.nPoints());
-        forAll(volume, v)
-        {
-            volume[v] = state_.volumeChange(v);
-        }
-        addPressures(volume, state_.pressure(), r);
-    }
-}
-
-
-void Foam::fsbi::elasticOperator::applyJacobian(const scalar* dx, scalar* dr) const
-{
-    std::fill_n(dr, size(), scalar(0));
-    gather(dx, dValues_);
-    setGradient(dValues_, dGradient_);
-    setPressure(dx, dPressure_);
-    scalarField volume(dPressure_.size());
-    forAll(dStress_, v)
-    {
-        const tensor& dH = dGradient_[v];
-        dStress_[v] = state_.tangent(v, dH, mixed_ ? dPressure_[v] : 0);
-        dStiffening_[v] = stiffeningTangent(v, dH & state_.referenceF()[v]);
-        if (mixed_)
-        {
-            volume[v] = state_.volumeTangent(v, dH);
-        }
-    }
-    vectorField held(stencil_.nFaces());
-    forAll(held, i)
-    {
-        held[i] =
-            (stabilisation + stencil_.faceMean(i, stiffening_))
-           *unexplained(i, dValues_, dGradient_)
-          + stencil_.faceMean(i, dStiffening_)*unexplained_[i];
-    }
-    addFaces(dStress_, held, dBoundaryForce_, dr);
-
-    vectorField atGhosts(stencil_.nGhosts(), Zero);
-    forAll(atGhosts, g)
-    {
-        if (boundary_.kindOf(g) != solidBoundary::displacement)
-        {
-            atGhosts[g] = boundary_.loadTangent
-            (
-                g, *given_, meanAtGhost(g, state_.gradient()),
-                meanAtGhost(g, dGradient_)
-            );
-        }
-    }
-    boundary_.addRows(dValues_, dGradient_, dBoundaryForce_, atGhosts, dr);
-    if (mixed_)
-    {
-        addPressures(volume, dPressure_, dr);
-    }
-}
-
-
-Foam::tmp<Foam::vectorField> Foam::fsbi::elasticOperator::boundaryForce() const
-{
-    auto result = tmp<vectorField>::New(boundary_.kinds().size(), Zero);
-    forAll(boundaryForce_, g)
-    {
-        result.ref()[stencil_.ghostFaces()[g]] = boundaryForce_[g];
-    }
-    return result;
-}
-
-
-Foam::tmp<Foam::vectorField> Foam::fsbi::elasticOperator::atVertices
-(
-    const vectorField& values
-) const
-{
-    auto result = tmp<vectorField>::New(mesh_.nPoints(), Zero);
-    vectorField& u = result.ref();
-    forAll(u, v)
-    {
-        for
-        (
-            label j = stencil_.vertexStart()[v];
-            j < stencil_.vertexStart()[v + 1];
-            ++j
-        )
-        {
-            u[v] +=
-                stencil_.valueWeight()[j]*values[stencil_.vertexColumn()[j]];
-        }
-    }
-    sharedVertices::sum<3>(mesh_, u.begin()->v_, stencil_.halo().size());
-    return result;
-}
-
-
-Foam::tmp<Foam::vectorField>
-Foam::fsbi::elasticOperator::vertexDisplacement() const
-{
-    return atVertices(values_);
-}
-
-
-Foam::tmp<Foam::vectorField>
-Foam::fsbi::elasticOperator::vertexIncrement() const
-{
-    return atVertices(dValues_);
-}
-
-
-Foam::tmp<Foam::vectorField>
-Foam::fsbi::elasticOperator::boundaryDisplacement() const
-{
-    return boundary_.displacement(values_, state_.gradient());
-}
-
-
-Foam::tmp<Foam::vectorField>
-Foam::fsbi::elasticOperator::boundaryIncrement() const
-{
-    return boundary_.displacement(dValues_, dGradient_);
-}
-
-
 void Foam::fsbi::elasticOperator::endStep()
 {
     state_.endStep();
-    if (state_.carriesOn())
-    {
-        jumpHistory_ = unexplained_;
-    }
 }

@@ -64,23 +64,12 @@ void Foam::fsbi::localSolutionStencil::checkCells() const
 
 void Foam::fsbi::localSolutionStencil::setCells()
 {
-    for (label ring = 0; ring < mostRings; ++ring)
+    labelList fewest(mesh_.nPoints());
+    forAll(fewest, v)
     {
-        boolList few(mesh_.nPoints(), false);
-        bool any = false;
-        forAll(few, v)
-        {
-            few[v] =
-                cells_[v].size()
-              < (wall_.number(v) < 0 ? fewestInside : fewestOnWall);
-            any = any || few[v];
-        }
-        if (!returnReduce(any, orOp<bool>()))
-        {
-            return;
-        }
-        cells_.widen(few);
+        fewest[v] = wall_.number(v) < 0 ? fewestInside : fewestOnWall;
     }
+    cells_.widen(fewest, mostRings);
 }
 
 
