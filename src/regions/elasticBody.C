@@ -158,7 +158,8 @@ Foam::vector Foam::fsbi::elasticBody::displacement(const point& x) const
 Foam::autoPtr<Foam::fvMesh> Foam::fsbi::elasticBody::makeMesh
 (
     const Time& time,
-    const bool alone
+    const bool alone,
+    const bool onSurface
 ) const
 {
     if (!shape_ && hasRegionMesh(time, name_))
@@ -179,9 +180,12 @@ Foam::autoPtr<Foam::fvMesh> Foam::fsbi::elasticBody::makeMesh
     {
         if (shape_)
         {
+            const bodySurface facets(shape_->triangulate());
             whole = bodyMesher(controls).fill
             (
-                name_, shape_->triangulate().transformed(turned_, position_)
+                name_,
+                facets.scaled(onSurface ? 1/facets.scale() : 1)
+               .transformed(turned_, position_)
             );
         }
         else if (wholeMesh::exists(time, name_))

@@ -233,6 +233,13 @@ void Foam::fsbi::fluidRegion::createOperators()
         )
     ];
     schemes.onSurface = surfaceOfBodies();
+    forAll(mesh_.bodies(), b)
+    {
+        if (mesh_.bodies()[b].curved())
+        {
+            schemes.curvedPatches.append(mesh_.bodyPatch(b));
+        }
+    }
     momentum_->set(conditions_.velocityGiven(U_()), schemes);
     linkBodies();
     createSolver();

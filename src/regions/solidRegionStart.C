@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "solidRegion.H"
+#include "caseInput.H"
 #include "steadyState.H"
 #include "Time.H"
 #include "mathematicalConstants.H"
@@ -50,9 +51,10 @@ Foam::fsbi::solidRegion::solidRegion
     oldStep_(0)
 {
     auto timer = timings_.measure("meshing");
+    readOrder();
     mesh_ =
         saved.empty()
-      ? body_.makeMesh(time_, site.alone)
+      ? body_.makeMesh(time_, site.alone, order_ == 4)
       : readRegionMesh(time_, site.name, time_.timeName());
     create(saved.size());
     if (saved.empty())
@@ -102,7 +104,6 @@ void Foam::fsbi::solidRegion::create(const bool saved)
 {
     checkNumerics();
     readFormulation();
-    readOrder();
     volumes_ = mesh().cellVolumes();
     centres_ = mesh().cellCentres();
     fields_.reset(new solidFields(mesh(), saved, inFluid_));
@@ -120,9 +121,8 @@ void Foam::fsbi::solidRegion::create(const bool saved)
     if (inFluid_)
     {
         // its surface is that of the stress-free body
-        wetted_.reset(new wettedSurface(mesh(), held, body_));
+        wetted_.reset(new wettedSurface(mesh(), held, body_, order_ == 4));
         wetted_->setSurface(rows_);
-        setTether();
     }
     if (saved)
     {
@@ -137,6 +137,7 @@ void Foam::fsbi::solidRegion::create(const bool saved)
         order_, mesh(), material_(), conditions_->given().kinds, formulation_,
         mixed
     );
+    volumes_ += elastic_->volumesOnFacets();
     x_.setSize(elastic_->size(), 0);
     increment_ = x_;
     renewSolver();
@@ -146,6 +147,7 @@ void Foam::fsbi::solidRegion::create(const bool saved)
         rows_.given = &conditions_->given();
         rows_.x = &x_;
         rows_.volumes = volumes_;
+        setTether();
         setMoved();
     }
 }
@@ -217,13 +219,40 @@ void Foam::fsbi::solidRegion::readFormulation()
 
 void Foam::fsbi::solidRegion::readOrder()
 {
-    order_ = checkedDictionary(controls()).count("order", 2);
+    const auto entries = [this](const word& region, const word& block)
+    {
+        const IOdictionary all
+        (
+            IOobject
+            (
+                "fvSolution", time_.caseSystem(), region, time_,
+                IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
+            )
+        );
+        return dictionary(all.subOrEmptyDict(block));
+    };
+    const label fluid =
+        inFluid_
+      ? entries(caseInput::fluid, "coupling").getOrDefault<label>("order", 2)
+      : 0;
+    order_ = checkedDictionary(entries(name(), "solid")).count
+    (
+        "order", inFluid_ ? fluid : 2
+    );
     if (order_ != 2 && order_ != 4)
     {
         FatalErrorInFunction
             << "Entry 'order' of 'solid' in system/" << name() << "/fvSolution"
             << " is " << order_ << "; valid choices are (2 4)"
             << exit(FatalError);
+    }
+    if (order_ == 4 && inFluid_ && fluid != 4)
+    {
+        FatalErrorInFunction
+            << "Order 4 of body '" << name() << "' in 'solid' of system/"
+            << name() << "/fvSolution wants the same of the fluid around it:"
+            << " give 'order 4' in 'coupling' of system/fluid/fvSolution, too,"
+            << " or no 'order' in either" << exit(FatalError);
     }
 }
 
@@ -285,18 +314,10 @@ void Foam::fsbi::solidRegion::setUnknowns()
     }
     if (body_.deformed())
     {
-        // cells and their mirror images
-        const vectorField x(elastic_->stencil().centres());
-        u = reinterpret_cast<vector*>(x_.data());
-        const label n = mesh().nCells() + elastic_->stencil().nGhosts();
-        for (label i = 0; i < n; ++i)
-        {
-            const bool ghost = i >= mesh().nCells();
-            u[i] = body_.displacement
-            (
-                x[ghost ? i + elastic_->stencil().halo().size() : i]
-            );
-        }
+        elastic_->set
+        (
+            [this](const point& p) { return body_.displacement(p); }, x_.begin()
+        );
     }
 }
 

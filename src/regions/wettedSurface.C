@@ -157,10 +157,12 @@ Foam::fsbi::surfaceSide Foam::fsbi::wettedSurface::sideOf
 
 Foam::fsbi::wettedSurface::wettedSurface
 (
-    const fvMesh& mesh, const boolList& held, const elasticBody& body
+    const fvMesh& mesh, const boolList& held, const elasticBody& body,
+    const bool curved
 )
 :
     name_(mesh.name()),
+    curved_(curved),
     reference_(surfaceOf(mesh)),
     fit_(reference_),
     solid_(sideOf(mesh, patchOf(mesh), reference_)),

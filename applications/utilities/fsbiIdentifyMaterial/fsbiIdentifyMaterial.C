@@ -211,7 +211,7 @@ int main(int argc, char *argv[])
         fromFile
       ? elasticBody(name, bodies.subDict(name)).makeMesh
         (
-            runTime, bodies.size() == 1
+            runTime, bodies.size() == 1, false
         )
       : readRegionMesh(runTime, name, runTime.timeName())
     );

@@ -100,6 +100,36 @@ Foam::vector Foam::fsbi::elasticBoundary::followerLoad
 }
 
 
+Foam::vector Foam::fsbi::elasticBoundary::pressureLoad
+(
+    const label ghost,
+    const solidBoundary& given,
+    const vector& S,
+    const tensor& gradient
+) const
+{
+    const scalar p = given.pressure[stencil_.ghostFaces()[ghost]];
+    return p != 0 ? -p*(cofactor(tensor::I + gradient) & S) : vector::zero;
+}
+
+
+Foam::vector Foam::fsbi::elasticBoundary::pressureTangent
+(
+    const label ghost,
+    const solidBoundary& given,
+    const vector& S,
+    const tensor& gradient,
+    const tensor& dGradient
+) const
+{
+    const scalar p = given.pressure[stencil_.ghostFaces()[ghost]];
+    return
+        p != 0
+      ? -p*(cofactorTangent(tensor::I + gradient, dGradient) & S)
+      : vector::zero;
+}
+
+
 Foam::vector Foam::fsbi::elasticBoundary::loadTangent
 (
     const label ghost,

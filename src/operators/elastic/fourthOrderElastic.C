@@ -6,6 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "fourthOrderElastic.H"
 #include "asVectors.H"
 #include "cellMoments.H"
+#include "meanValues.H"
 #include "processorPolyPatch.H"
 #include "syncTools.H"
 
@@ -157,6 +158,8 @@ Foam::fsbi::fourthOrderElastic::fourthOrderElastic
     boundaryForce_(stencil_.nGhosts(), Zero)
 {
     check(form);
+    setSurface();
+    setVertices();
     setPlaces();
     setPoints();
     pointState_.setSize(points_.size());
@@ -187,6 +190,74 @@ void Foam::fsbi::fourthOrderElastic::check
             << "Order 4 of elastic bodies is not there for " << missing
             << ". Give 'order 2' in 'solid' of system/" << mesh_.name()
             << "/fvSolution" << exit(FatalError);
+    }
+}
+
+
+void Foam::fsbi::fourthOrderElastic::setSurface()
+{
+    const label nInternal = mesh_.nInternalFaces();
+    curved_ = boolList(boundary_.kinds().size(), false);
+    boolList onSurface(mesh_.nPoints(), false);
+    bool triangles = true;
+    for (label g = 0; g < stencil_.nGhosts(); ++g)
+    {
+        const label b = stencil_.ghostFaces()[g];
+        const face& f = mesh_.faces()[nInternal + b];
+        curved_[b] = boundary_.kindOf(g) != solidBoundary::symmetry;
+        triangles = triangles && f.size() == 3;
+        if (curved_[b])
+        {
+            UIndirectList<bool>(onSurface, f) = true;
+        }
+    }
+    syncTools::syncPointList(mesh_, onSurface, orEqOp<bool>(), false);
+    if (returnReduce(triangles, andOp<bool>()))
+    {
+        DynamicList<label> vertices;
+        forAll(onSurface, v)
+        {
+            if (onSurface[v])
+            {
+                vertices.append(v);
+            }
+        }
+        surface_.reset
+        (
+            new curvedWall(mesh_, curved_, vertices, curvedWall::surface())
+        );
+    }
+}
+
+
+void Foam::fsbi::fourthOrderElastic::setVertices()
+{
+    vertex_ = stencil_.faceVertex();
+    vertexStart_ = stencil_.faceStart();
+    for (label j = 0; j < nStrips(); ++j)
+    {
+        const edge& e = surface_->edges()[j];
+        vertex_.append({e.start(), e.end()});
+        vertexStart_.append(vertex_.size());
+    }
+    strips_.setSize(surface_ ? stencil_.nGhosts() : 0);
+    forAll(strips_, g)
+    {
+        const label b = stencil_.ghostFaces()[g];
+        const face& f = mesh_.faces()[mesh_.nInternalFaces() + b];
+        forAll(f, k)
+        {
+            const edge e(f.faceEdge(k));
+            if (curved_[b])
+            {
+                const label j = surface_->edgeNumber(e);
+                const bool along = surface_->edges()[j].start() == e.start();
+                strips_[g].append
+                (
+                    stripOfFace{stencil_.nFaces() + j, scalar(along ? 1 : -1)}
+                );
+            }
+        }
     }
 }
 
@@ -227,7 +298,7 @@ void Foam::fsbi::fourthOrderElastic::setPoints()
 {
     DynamicList<point> points;
     DynamicList<vector> areas;
-    pointStart_.setSize(stencil_.nFaces() + 1);
+    pointStart_.setSize(stencil_.nFaces() + nStrips() + 1);
     pointStart_[0] = 0;
     for (label i = 0; i < stencil_.nFaces(); ++i)
     {
@@ -239,6 +310,14 @@ void Foam::fsbi::fourthOrderElastic::setPoints()
         );
         pointStart_[i + 1] = points.size();
     }
+    for (label j = 0; j < nStrips(); ++j)
+    {
+        const edge& e = surface_->edges()[j];
+        const wallStrip strip(surface_->strip(e.start(), e.end()));
+        points.append(strip.middle);
+        areas.append(strip.area);
+        pointStart_[stencil_.nFaces() + j + 1] = points.size();
+    }
     points_.transfer(points);
     areas_.transfer(areas);
 }
@@ -248,6 +327,10 @@ void Foam::fsbi::fourthOrderElastic::update()
 {
     elasticOperator::update();
     fits_.update();
+    if (surface_)
+    {
+        surface_->update();
+    }
     setPoints();
 }
 
@@ -292,8 +375,8 @@ void Foam::fsbi::fourthOrderElastic::fit
     );
     setGradients
     (
-        stencil_.nFaces(), stencil_.faceStart().cdata(),
-        stencil_.faceVertex().cdata(), pointStart_.cdata(), points_.cdata(),
+        stencil_.nFaces() + nStrips(), vertexStart_.cdata(),
+        vertex_.cdata(), pointStart_.cdata(), points_.cdata(),
         mesh_.points().cdata(), fits_.perLength().cdata(),
         values.slopes.cdata(), values.gradient.begin()
     );
@@ -351,6 +434,41 @@ void Foam::fsbi::fourthOrderElastic::addFaces
 }
 
 
+template<class Act>
+void Foam::fsbi::fourthOrderElastic::forStrips
+(
+    const label ghost, const Act& act
+) const
+{
+    if (surface_)
+    {
+        for (const stripOfFace& strip : strips_[ghost])
+        {
+            act(pointStart_[strip.number], strip.sign);
+        }
+    }
+}
+
+
+template<class Stress>
+void Foam::fsbi::fourthOrderElastic::addStrips
+(
+    const Stress& stress, vectorField& loads
+) const
+{
+    forAll(loads, g)
+    {
+        if (boundary_.kindOf(g) == solidBoundary::traction)
+        {
+            forStrips(g, [&](const label p, const scalar sign)
+            {
+                loads[g] += sign*stress(p);
+            });
+        }
+    }
+}
+
+
 void Foam::fsbi::fourthOrderElastic::addBoundaryRows
 (
     const fitted& values,
@@ -386,6 +504,26 @@ void Foam::fsbi::fourthOrderElastic::addBoundaryRows
                     2*n*(n & atFace) + boundary_.ghostRow(g, force[g] - normal);
             }
         }
+    }
+}
+
+
+void Foam::fsbi::fourthOrderElastic::set
+(
+    const displacementFunction& u, scalar* x
+) const
+{
+    vector* row = asVectors(x);
+    for (label celli = 0; celli < mesh_.nCells(); ++celli)
+    {
+        row[celli] = cellMean(mesh_, celli, u);
+    }
+    for (label g = 0; g < stencil_.nGhosts(); ++g)
+    {
+        const label i = stencil_.firstBoundary() + g;
+        row[mesh_.nCells() + g] =
+            2*u(mesh_.faceCentres()[stencil_.face()[i]])
+          - row[stencil_.owner()[i]];
     }
 }
 
@@ -433,14 +571,23 @@ void Foam::fsbi::fourthOrderElastic::residual
                     g, given, areas_[p], now_.gradient[p]
                 );
             }
+            forStrips(g, [&](const label p, const scalar sign)
+            {
+                atGhosts[g] -= sign*boundary_.pressureLoad
+                (
+                    g, given, areas_[p], now_.gradient[p]
+                );
+            });
         }
     }
+    const vectorField loads(atGhosts);
+    addStrips(stress, atGhosts);
     addBoundaryRows(now_, boundaryForce_, atGhosts, r);
     forAll(atGhosts, g)
     {
         if (boundary_.kindOf(g) == solidBoundary::traction)
         {
-            boundaryForce_[g] = atGhosts[g];
+            boundaryForce_[g] = loads[g];
         }
     }
 }
@@ -500,8 +647,38 @@ void Foam::fsbi::fourthOrderElastic::applyJacobian
                 g, *given_, areas_[p], now_.gradient[p], along_.gradient[p]
             );
         }
+        if (loaded)
+        {
+            forStrips(g, [&](const label p, const scalar sign)
+            {
+                atGhosts[g] -= sign*boundary_.pressureTangent
+                (
+                    g, *given_, areas_[p], now_.gradient[p],
+                    along_.gradient[p]
+                );
+            });
+        }
     }
+    addStrips(stress, atGhosts);
     addBoundaryRows(along_, force, atGhosts, dr);
+}
+
+
+Foam::tmp<Foam::scalarField>
+Foam::fsbi::fourthOrderElastic::volumesOnFacets() const
+{
+    tmp<scalarField> result(elasticOperator::volumesOnFacets());
+    for (label g = 0; surface_ && g < stencil_.nGhosts(); ++g)
+    {
+        const label b = stencil_.ghostFaces()[g];
+        const label facei = mesh_.nInternalFaces() + b;
+        if (curved_[b])
+        {
+            result.ref()[mesh_.faceOwner()[facei]] +=
+                surface_->volumeOnFacet(facei);
+        }
+    }
+    return result;
 }
 
 

@@ -227,6 +227,24 @@ void Foam::fsbi::secondOrderElastic::addPressures
 }
 
 
+void Foam::fsbi::secondOrderElastic::set
+(
+    const displacementFunction& u, scalar* x
+) const
+{
+    const vectorField C(stencil_.centres());
+    vector* row = asVectors(x);
+    for (label i = 0; i < stencil_.nCells(); ++i)
+    {
+        *row++ = u(C[i]);
+    }
+    for (label g = 0; g < stencil_.nGhosts(); ++g)
+    {
+        *row++ = u(C[stencil_.firstGhost() + g]);
+    }
+}
+
+
 void Foam::fsbi::secondOrderElastic::residual
 (
     const scalar* x, const solidBoundary& given, scalar* r

@@ -74,7 +74,6 @@ Foam::fsbi::curvedWall::curvedWall
 
 void Foam::fsbi::curvedWall::setEdges()
 {
-    EdgeMap<label> numbers;
     DynamicList<edge> edges;
     DynamicList<label> patches;
     forAll(faces_, i)
@@ -85,14 +84,14 @@ void Foam::fsbi::curvedWall::setEdges()
         {
             const label patchi = mesh_.boundaryMesh().whichPatch(facei);
             const edge e(f.faceEdge(k));
-            if (numbers.insert(e, edges.size()))
+            if (edgeNumber_.insert(e, edges.size()))
             {
                 edges.append(e);
                 patches.append(patchi);
             }
-            else if (patches[numbers[e]] != patchi)
+            else if (patches[edgeNumber_[e]] != patchi)
             {
-                patches[numbers[e]] = -1;
+                patches[edgeNumber_[e]] = -1;
             }
         }
     }
@@ -108,11 +107,6 @@ void Foam::fsbi::curvedWall::addFacets
     List<wallRing>& rings
 ) const
 {
-    EdgeMap<label> edgeNumber;
-    forAll(edges_, i)
-    {
-        edgeNumber.insert(edges_[i], i);
-    }
     forAll(faces_, i)
     {
         const face& f = mesh_.faces()[mesh_.nInternalFaces() + i];
@@ -127,7 +121,7 @@ void Foam::fsbi::curvedWall::addFacets
                 FixedList<label, 3>
                 ({
                     min(a, b), max(a, b),
-                    number.toGlobal(vertices_.size() + edgeNumber[e])
+                    number.toGlobal(vertices_.size() + edgeNumber_[e])
                 })
             );
         }
@@ -356,4 +350,40 @@ void Foam::fsbi::curvedWall::setOnEdges
                 0.5*(at(a) + at(b)) + (along(a) - along(b))/8;
         }
     }
+}
+
+
+Foam::fsbi::wallStrip Foam::fsbi::curvedWall::strip
+(
+    const label a, const label b
+) const
+{
+    const label i = vertices_.size() + edgeNumber_[edge(a, b)];
+    const auto lift = [this](const label j)
+    {
+        return points_[j] - onFacets_[j];
+    };
+    // Simpson's rule, exact for the cubic
+    const vector mean
+    (
+        (lift(vertexNumber_[a]) + 4*lift(i) + lift(vertexNumber_[b]))/6
+    );
+    return
+    {
+        onFacets_[i] + mean/2, (mesh_.points()[b] - mesh_.points()[a]) ^ mean
+    };
+}
+
+
+Foam::scalar Foam::fsbi::curvedWall::volumeOnFacet(const label facei) const
+{
+    // by the rule of the three edges' middles, exact for quadratic functions
+    const face& f = mesh_.faces()[facei];
+    vector lift(Zero);
+    forAll(f, k)
+    {
+        const label i = vertices_.size() + edgeNumber_[f.faceEdge(k)];
+        lift += (points_[i] - onFacets_[i])/3;
+    }
+    return lift & mesh_.faceAreas()[facei];
 }

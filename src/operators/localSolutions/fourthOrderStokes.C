@@ -64,7 +64,8 @@ Foam::fsbi::fourthOrderStokes::fourthOrderStokes
 )
 :
     stokesOperator(mesh, mu, velocityGiven),
-    fits_(mesh, velocityGiven_, wallVertices_, s.onSurface)
+    fits_(mesh, velocityGiven_, wallVertices_, s.onSurface),
+    curvedPatches_(s.curvedPatches)
 {
     check();
     setCorners();
@@ -201,6 +202,10 @@ void Foam::fsbi::fourthOrderStokes::residual
         stabilisation_.cdata(), stabilisationScale, r
     );
     addBoundaryFaces(b, r, traction);
+    for (const label patchi : curvedPatches_)
+    {
+        addStrips(patchi, traction);
+    }
 }
 
 

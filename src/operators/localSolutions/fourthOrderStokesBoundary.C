@@ -64,27 +64,26 @@ Foam::vector Foam::fsbi::fourthOrderStokes::velocityAt
 
 Foam::vector Foam::fsbi::fourthOrderStokes::tractionAt
 (
-    const label facei, const point& x
+    const labelUList& vertices, const point& x, const vector& S
 ) const
 {
-    const vector& S = mesh_.faceAreas()[facei];
     tensor gradient(Zero);
     scalar p = 0;
-    for (const faceCorner& at : corners_[facei])
+    const scalar share = 1.0/vertices.size();
+    for (const label v : vertices)
     {
-        const scalar s = fits_.perLength()[at.vertex];
+        const scalar s = fits_.perLength()[v];
         const scalar* c =
-            coefficients_.cdata()
-          + stokesPolynomials::nCoefficients*at.vertex;
+            coefficients_.cdata() + stokesPolynomials::nCoefficients*v;
         scalar a[nCubic], g[nCubic];
-        setMonomials(s*(x - fits_.origins()[at.vertex]), a);
+        setMonomials(s*(x - fits_.origins()[v]), a);
         fourNumbers value = {0, 0, 0, 0};
         addProducts<nCubic>(a, c, value);
-        p += value[3]/3;
+        p += share*value[3];
         for (direction i = 0; i < 3; ++i)
         {
             vector e(Zero);
-            e[i] = s/3;
+            e[i] = share*s;
             setGradientMeans(e, a, g);
             fourNumbers slope = {0, 0, 0, 0};
             addProducts<nCubic>(g, c, slope);
@@ -96,6 +95,30 @@ Foam::vector Foam::fsbi::fourthOrderStokes::tractionAt
         }
     }
     return ((gradient + gradient.T()) & S) - p*S;
+}
+
+
+void Foam::fsbi::fourthOrderStokes::addStrips
+(
+    const label patchi, vectorField& traction
+) const
+{
+    const polyPatch& pp = mesh_.boundaryMesh()[patchi];
+    forAll(pp, i)
+    {
+        const face& f = pp[i];
+        vector& t = traction[pp.start() - mesh_.nInternalFaces() + i];
+        forAll(f, k)
+        {
+            // of the edge's ends: the same for both of its facets
+            label ends[] = {f[k], f.nextLabel(k)};
+            const wallStrip strip(fits_.wall().strip(ends[0], ends[1]));
+            t -= mu_*tractionAt
+            (
+                labelUList(ends, 2), strip.middle, strip.area
+            );
+        }
+    }
 }
 
 
@@ -115,7 +138,7 @@ void Foam::fsbi::fourthOrderStokes::setTractionMoments() const
                 const point x(f.faceEdge(j).centre(mesh_.points()));
                 tractionMoments_[i] +=
                     (x - mesh_.faceCentres()[facei])
-                  ^ (mu_/3*tractionAt(facei, x));
+                  ^ (mu_/3*tractionAt(f, x, mesh_.faceAreas()[facei]));
             }
             const auto addMode = [&](const modeOnFace& mode, const scalar a)
             {
