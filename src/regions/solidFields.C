@@ -173,23 +173,40 @@ void Foam::fsbi::solidFields::setStress
     const bool smallStrain
 )
 {
+    const auto strainOf = [&](const tensor& F)
+    {
+        return
+            smallStrain
+          ? symm(F) - symmTensor::I
+          : 0.5*(symm(F.T() & F) - symmTensor::I);
+    };
     const tensorField& F = elastic.state().deformation();
     const symmTensorField sigma(elastic.state().CauchyStress());
     symmTensorField strain(F.size());
     scalarField J(F.size());
     forAll(F, v)
     {
-        strain[v] =
-            smallStrain
-          ? symm(F[v]) - symmTensor::I
-          : 0.5*(symm(F[v].T() & F[v]) - symmTensor::I);
+        strain[v] = strainOf(F[v]);
         J[v] = det(F[v]);
     }
     average(sigma, sigma_);
     average(strain, epsilon_);
     average(J, J_);
+    if (const constitutiveState* centres = elastic.atCentres())
+    {
+        sigma_.primitiveFieldRef() = centres->CauchyStress();
+        forAll(sigma_, celli)
+        {
+            epsilon_[celli] = strainOf(centres->deformation()[celli]);
+            J_[celli] = det(centres->deformation()[celli]);
+        }
+        pointSigma_.primitiveFieldRef() = sigma;
+    }
+    else
+    {
+        recoverStress();
+    }
     sigmaEq_ = sqrt(1.5*magSqr(dev(sigma_)));
-    recoverStress();
 }
 
 

@@ -55,16 +55,23 @@ void Foam::fsbi::solidMeasures::setDeformation
         minStretch = min(minStretch, sqrt(max(least, scalar(0))));
         maxStretch = max(maxStretch, sqrt(most));
     }
+    // with the centre exact for quadratic functions over tetrahedra
+    const constitutiveState* centres = solid.atCentres();
     elastic = 0;
     forAll(volumes, celli)
     {
         const labelList& points = mesh.cellPoints()[celli];
-        scalar sum = 0;
+        scalar mean = 0;
         for (const label v : points)
         {
-            sum += energy[v];
+            mean += energy[v]/points.size();
         }
-        elastic += volumes[celli]*sum/points.size();
+        if (centres)
+        {
+            const tensor& atCentre = centres->deformation()[celli];
+            mean += 0.8*(material.energy(atCentre) - mean);
+        }
+        elastic += volumes[celli]*mean;
     }
     reduce(elastic, sumOp<scalar>());
     reduce(minJ, minOp<scalar>());

@@ -107,7 +107,7 @@ static scalar velocityError(const problem& p)
     scalar sum = 0;
     forAll(V, i)
     {
-        const vector exact(mean(u, corners(p.mesh, i)));
+        const vector exact(simplexMean(corners(p.mesh, i), u));
         const vector found(p.x[4*i], p.x[4*i + 1], p.x[4*i + 2]);
         sum += V[i]*magSqr(found - exact);
     }

@@ -155,6 +155,7 @@ Foam::fsbi::fourthOrderElastic::fourthOrderElastic
         )
     ),
     pointState_(mesh.name(), 0, material, form, mixed),
+    centreState_(mesh.name(), 0, material, form, mixed),
     boundaryForce_(stencil_.nGhosts(), Zero)
 {
     check(form);
@@ -415,7 +416,16 @@ void Foam::fsbi::fourthOrderElastic::addFaces
         const label N = stencil_.neighbour()[i];
         const bool inner = i < firstBoundary;
         const scalar k = (inner ? 1 : 2)*stencil_.compact()[i];
-        vector T(stabilisation*material_.mu()*k*unexplained(i, values));
+        const vector e(unexplained(i, values));
+        const vector n(normalised(stencil_.area()[i]));
+        vector T
+        (
+            k
+           *(
+                stabilisation*material_.mu()*e
+              + material_.lambda()*n*(n & e)
+            )
+        );
         for (label p = pointStart_[i]; p < pointStart_[i + 1]; ++p)
         {
             T += stress(p);
@@ -686,6 +696,33 @@ bool Foam::fsbi::fourthOrderElastic::valid() const
 {
     const bool atPoints = pointState_.valid();
     return elasticOperator::valid() && atPoints;
+}
+
+
+const Foam::fsbi::constitutiveState*
+Foam::fsbi::fourthOrderElastic::atCentres() const
+{
+    const label nCells = mesh_.nCells();
+    DynamicList<label> vertices(4*nCells);
+    labelList start(nCells + 1, 0);
+    for (label celli = 0; celli < nCells; ++celli)
+    {
+        vertices.append(mesh_.cellPoints()[celli]);
+        start[celli + 1] = vertices.size();
+    }
+    if (centreState_.gradient().size() != nCells)
+    {
+        centreState_.setSize(nCells);
+    }
+    setGradients
+    (
+        nCells, start.cdata(), vertices.cdata(),
+        identity(nCells + 1).cdata(), mesh_.cellCentres().cdata(),
+        mesh_.points().cdata(), fits_.perLength().cdata(),
+        now_.slopes.cdata(), centreState_.gradient().begin()
+    );
+    centreState_.evaluate();
+    return &centreState_;
 }
 
 

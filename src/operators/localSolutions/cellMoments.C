@@ -65,17 +65,60 @@ static void addQuadrangle
     }
 }
 
+//- Add the integrals of the monomials about a point
+static void addTetrahedron
+(
+    const FixedList<point, 4>& corners, const point& about, const scalar sign,
+    scalar* sum
+)
+{
+    const point middle((corners[0] + corners[1] + corners[2] + corners[3])/4);
+    const scalar V =
+        sign
+       *(
+            ((corners[1] - corners[0]) ^ (corners[2] - corners[0]))
+          & (corners[3] - corners[0])
+        )/6;
+    scalar a[nCubic];
+    setMonomialMeans
+    (
+        middle - about, simplexMoments(corners, middle), 1, a
+    );
+    for (label m = 0; m < nCubic; ++m)
+    {
+        sum[m] += V*a[m];
+    }
+}
+
+
+//- From the means of the monomials about a point to the moments about the
+//  centre, which is at d
+static void shift(const vector& d, const scalar* means, centralMoments& m)
+{
+    // the means of products are those about the centre and what d adds
+    scalar none[nCubic], about[nCubic];
+    m = centralMoments(scalar(0));
+    setMonomialMeans(d, m, 1, none);
+    for (label k = 4; k < nQuadratic; ++k)
+    {
+        m[k - 4] = means[k] - none[k];
+    }
+    setMonomialMeans(d, m, 1, about);
+    for (label k = nQuadratic; k < nCubic; ++k)
+    {
+        m[k - 4] = means[k] - about[k];
+    }
+}
+
 } // End namespace fsbi
 } // End namespace Foam
 
 
-Foam::fsbi::centralMoments Foam::fsbi::cellMoments
-(
-    const fvMesh& mesh, const label celli
-)
+Foam::fsbi::cellShape::cellShape(const fvMesh& mesh, const label celli)
+:
+    centre(mesh.cellCentres()[celli])
 {
     const pointField& x = mesh.points();
-    const point& C = mesh.cellCentres()[celli];
     const labelList& vertices = mesh.cellPoints()[celli];
     if (vertices.size() == 4 && mesh.cells()[celli].size() == 4)
     {
@@ -83,10 +126,12 @@ Foam::fsbi::centralMoments Foam::fsbi::cellMoments
         ({
             x[vertices[0]], x[vertices[1]], x[vertices[2]], x[vertices[3]]
         });
-        return simplexMoments(corners, C);
+        moments = simplexMoments(corners, centre);
+        return;
     }
-    centralMoments sum(scalar(0));
-    scalar volume = 0;
+    // about any point, then about the centre
+    const point apex(centre);
+    scalar sum[nCubic] = {};
     for (const label facei : mesh.cells()[celli])
     {
         const point& Cf = mesh.faceCentres()[facei];
@@ -95,35 +140,18 @@ Foam::fsbi::centralMoments Foam::fsbi::cellMoments
         {
             const FixedList<point, 4> corners
             ({
-                C, x[i], x[j], k < 0 ? Cf : x[k]
+                apex, x[i], x[j], k < 0 ? Cf : x[k]
             });
-            const point middle
-            (
-                (corners[0] + corners[1] + corners[2] + corners[3])/4
-            );
-            const scalar V =
-                sign
-               *(
-                    ((corners[1] - C) ^ (corners[2] - C))
-                  & (corners[3] - C)
-                )/6;
-            scalar a[nCubic];
-            setMonomialMeans
-            (
-                middle - C, simplexMoments(corners, middle), 1, a
-            );
-            volume += V;
-            for (label m = 4; m < nCubic; ++m)
-            {
-                sum[m - 4] += V*a[m];
-            }
+            addTetrahedron(corners, apex, sign, sum);
         });
     }
-    for (scalar& m : sum)
+    for (label m = 1; m < nCubic; ++m)
     {
-        m /= volume;
+        sum[m] /= sum[0];
     }
-    return sum;
+    const vector d(sum[1], sum[2], sum[3]);
+    centre += d;
+    shift(d, sum, moments);
 }
 
 

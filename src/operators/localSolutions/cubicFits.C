@@ -89,11 +89,13 @@ void Foam::fsbi::cubicFits::setColumns()
 
 void Foam::fsbi::cubicFits::setGeometry()
 {
-    centres_ = mesh_.cellCentres();
+    centres_.setSize(mesh_.nCells());
     moments_.setSize(mesh_.nCells());
     forAll(moments_, celli)
     {
-        moments_[celli] = cellMoments(mesh_, celli);
+        const cellShape shape(mesh_, celli);
+        centres_[celli] = shape.centre;
+        moments_[celli] = shape.moments;
     }
     faceCentres_ = pointField(mesh_.faceCentres(), boundary_);
     cells_.fill(centres_);
