@@ -20,6 +20,11 @@ LOWEST = {
     ("hexahedra", "cellStress"): 1.9, ("hexahedra", "vertexStress"): 1.9,
     ("tetrahedra", "vertexStress"): 1.5,
 }
+# bound: required of order 4
+FOURTH = {
+    "tetrahedra": {"displacement": 3.5, "cellStress": 2.8, "vertexStress": 2.8},
+    "hexahedra": {"displacement": 3.5, "cellStress": 2.5, "vertexStress": 2.5},
+}
 quick = sys.argv[1:2] == ["true"]
 results = Results("elasticOrders")
 
@@ -35,6 +40,14 @@ def read(kind):
 
 def column(rows, name):
     return [float(row[name]) for row in rows]
+
+
+def check_fourth(kind, law, boundary, rows):
+    for error in ERRORS:
+        results.at_least(f"{kind}_order4_{error}",
+                         orders(column(rows, "h"), column(rows, error))[-1],
+                         FOURTH[kind][error], seconds=float(rows[-1]["seconds"]),
+                         cells=int(rows[-1]["cells"]), variant=f"{law}_{boundary}")
 
 
 def check(kind, law, boundary, rows):
@@ -54,11 +67,11 @@ def check(kind, law, boundary, rows):
 
 def draw(tables, law, boundary):
     """Displacement, and stress at vertices, against size and seconds."""
-    chosen = {kind: tables[kind][law, boundary] for kind in KINDS}
+    chosen = {kind: series[law, boundary] for kind, series in tables.items()}
     errors = {}
     for kind, rows in chosen.items():
         errors[kind] = (column(rows, "h"), column(rows, "displacement"))
-    for kind in ("hexahedra", "tetrahedra"):
+    for kind in ("tetrahedra", "tetrahedra, order 4"):
         rows = chosen[kind]
         errors[kind + ", stress"] = (column(rows, "h"), column(rows, "vertexStress"))
     plots.convergence(
@@ -74,15 +87,20 @@ def draw(tables, law, boundary):
 
 def main():
     tables = {kind: read(kind) for kind in KINDS}
-    failed = sum(row["converged"] != "1" for series in tables.values()
+    fourth = {kind: read(kind + "-order4") for kind in FOURTH}
+    failed = sum(row["converged"] != "1" for series in [*tables.values(), *fourth.values()]
                  for rows in series.values() for row in rows)
     results.add("unconverged_abs", failed, 0, 0)     # bound: all of them converge
     for kind, series in tables.items():
         for law in LAWS[:2] if quick else LAWS:
             for boundary in "displacements", "tractions":
                 check(kind, law, boundary, series[law, boundary])
+    for kind, series in fourth.items():
+        for (law, boundary), rows in series.items():
+            check_fourth(kind, law, boundary, rows)
     if not quick:
-        draw(tables, "neoHookean", "tractions")
+        draw({**tables, **{kind + ", order 4": series for kind, series in fourth.items()}},
+             "neoHookean", "tractions")
     results.write()
 
 
