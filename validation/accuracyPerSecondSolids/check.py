@@ -1,0 +1,113 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Error of the bent rod's end against seconds: results.csv, peer.csv, a picture."""
+
+import csv
+import glob
+import json
+import os
+import sys
+
+import numpy as np
+
+from fsbi import fields, plots
+from fsbi.case import Case
+from fsbi.results import Results
+
+LENGTH = 10
+PEER = "kind degree across cells x y Newton seconds memory".split()
+quick = sys.argv[1:2] == ["true"]
+results = Results("H2")
+
+
+def least(path):
+    """Processor's seconds, wall's, megabytes of the repetition with the least."""
+    return min(np.loadtxt(path, delimiter=",", ndmin=2).tolist())
+
+
+def own():
+    """Coarse to fine; seconds without the loading of libraries."""
+    loading = 0 if quick else least("runs/loading.csv")[0]
+    rows = []
+    for folder in glob.glob("runs/*.order*"):
+        kind, order, across = os.path.basename(folder).split(".")
+        run = Case(folder)
+        points = fields.points(folder + "/constant/polyMesh/points")
+        i = fields.nearest(points, (LENGTH, 0.5, 0.5))
+        place = points[i] + fields.internal(folder + "/1/beam/pointD")[i]
+        seconds, _, memory = least(folder + "/costs.csv")
+        rows.append(dict(kind=kind, method=order, across=int(across), cells=run.cells,
+                         x=place[0], y=place[1], seconds=seconds - loading,
+                         memory=memory, Newton=run.history["cost"]["corrections"][-1]))
+    return sorted(rows, key=lambda r: r["cells"])
+
+
+def peer():
+    """Of this run; those committed where there is no dolfinx."""
+    if os.path.isfile("runs/peer.jsonl"):
+        with open("runs/peer.jsonl") as file:
+            rows = [json.loads(line) for line in file]
+        best = {}
+        for row in sorted(rows, key=lambda r: -r["seconds"]):
+            best[row["kind"], row["degree"], row["across"]] = row
+        with open("peer.csv", "w", newline="") as file:
+            writer = csv.DictWriter(file, PEER, lineterminator="\n")
+            writer.writeheader()
+            for key in sorted(best):
+                writer.writerow({k: f"{v:.8g}" if isinstance(v, float) else v
+                                 for k, v in best[key].items()})
+    with open("peer.csv", newline="") as file:
+        return [{k: v if k == "kind" else float(v) for k, v in row.items()}
+                for row in csv.DictReader(file)]
+
+
+def error(row, reference):
+    """Distance of the ends over the way that it goes."""
+    end = np.array([reference["x"], reference["y"]])
+    return (np.linalg.norm(end - (row["x"], row["y"]))
+            / np.linalg.norm(end - (LENGTH, 0.5)))
+
+
+def curve(label, rows, reference):
+    return (label, [r["seconds"] for r in rows], [error(r, reference) for r in rows])
+
+
+def main():
+    elements = peer()
+    reference = next(r for r in elements if r["degree"] == 3)
+    elements = [r for r in elements if r["degree"] == 2]
+    finest = max((r for r in elements if r["kind"] == "hexahedra"),
+                 key=lambda r: r["across"])
+    # bound: a tenth of what is asked for; quadratic elements, half as many across
+    # as cubic ones have nodes, agree so far
+    results.add("reference_abs", error(finest, reference), 0, 2e-4)
+    rows = own()
+    for row in rows:
+        if row["method"] == "order4":
+            cost = dict(seconds=row["seconds"], cells=row["cells"],
+                        variant=f"{row['kind']}_{row['across']}_across")
+            # bounds: asked for
+            results.add("bending_abs", error(row, reference), 0, 0.001, **cost)
+            if not quick:
+                results.add("seconds_abs", row["seconds"], 0, 0.1, **cost)
+    if not quick:
+        draw(rows, elements, reference)
+    results.write()
+
+
+def draw(rows, elements, reference):
+    lines = []
+    for kind in ("hexahedra", "tetrahedra"):
+        for method, name in (("order4", "order 4"), ("order2", "order 2")):
+            lines.append(curve(f"fsbiFoam, {name}, {kind}",
+                               [r for r in rows if (r["method"], r["kind"]) == (method, kind)],
+                               reference))
+        lines.append(curve(f"quadratic elements (dolfinx), {kind}",
+                           [r for r in elements if r["kind"] == kind], reference))
+    plots.curves("accuracyPerSecondSolids.png", lines, xlabel="processor's seconds",
+                 ylabel="error of the end", title="A rod bent far, one load step",
+                 xlog=True, ylog=True)
+
+
+if __name__ == "__main__":
+    main()
