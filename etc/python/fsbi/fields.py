@@ -45,3 +45,13 @@ def internal(path):
 
 def nearest(points, place):
     return int(np.argmin(np.linalg.norm(points - np.asarray(place), axis=1)))
+
+
+def at(points, values, place, count=40):
+    """Value at a place, where no point need be: of the quadratic polynomial that
+    fits the nearest points best."""
+    d = points - np.asarray(place)
+    near = np.argsort(np.linalg.norm(d, axis=1))[:count]
+    x, y, z = d[near].T
+    monomials = np.stack([np.ones_like(x), x, y, z, x * x, x * y, x * z, y * y, y * z, z * z], 1)
+    return np.linalg.lstsq(monomials, values[near], rcond=None)[0][0]

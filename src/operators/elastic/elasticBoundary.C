@@ -52,16 +52,6 @@ Foam::vector Foam::fsbi::elasticBoundary::footToFace(const label ghost) const
 }
 
 
-Foam::vector Foam::fsbi::elasticBoundary::load
-(
-    const label ghost, const solidBoundary& given, const tensor& gradient
-) const
-{
-    const vector& S = stencil_.area()[stencil_.firstBoundary() + ghost];
-    return deadLoad(ghost, given) + followerLoad(ghost, given, S, gradient);
-}
-
-
 Foam::vector Foam::fsbi::elasticBoundary::deadLoad
 (
     const label ghost, const solidBoundary& given

@@ -273,7 +273,12 @@ void Foam::fsbi::secondOrderElastic::residual
         atGhosts[g] =
             boundary_.kindOf(g) == solidBoundary::displacement
           ? given.faces[stencil_.ghostFaces()[g]]
-          : boundary_.load(g, given, meanAtGhost(g, gradient));
+          : boundary_.deadLoad(g, given)
+          + boundary_.followerLoad
+            (
+                g, given, stencil_.area()[stencil_.firstBoundary() + g],
+                meanAtGhost(g, gradient)
+            );
     }
     boundary_.addRows(values_, gradient, boundaryForce_, atGhosts, r);
     forAll(atGhosts, g)
