@@ -1,0 +1,289 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "fourthOrderElastic.H"
+#include "asVectors.H"
+#include "cubicSlopes.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Of what the fits do not explain, over mu
+static const scalar stabilisation = 4;
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::vector Foam::fsbi::fourthOrderElastic::unexplained
+(
+    const label i, const fitted& values
+) const
+{
+    fourNumbers sum = {0, 0, 0, 0};
+    const label end = stencil_.faceStart()[i + 1];
+    for (label j = stencil_.faceStart()[i]; j < end; ++j)
+    {
+        sum +=
+            four(values.defects.cdata() + 4*neighbourPlace_[j])
+          - four(values.defects.cdata() + 4*ownerPlace_[j]);
+    }
+    return velocity(sum)/(end - stencil_.faceStart()[i]);
+}
+
+
+template<class Stress>
+void Foam::fsbi::fourthOrderElastic::addFaces
+(
+    const fitted& values, const Stress& stress, vectorField& force, scalar* r
+) const
+{
+    const label nCells = mesh_.nCells();
+    const label firstBoundary = stencil_.firstBoundary();
+    vector* row = asVectors(r);
+    for (label i = 0; i < stencil_.nFaces(); ++i)
+    {
+        const label P = stencil_.owner()[i];
+        const label N = stencil_.neighbour()[i];
+        const bool inner = i < firstBoundary;
+        const scalar k = (inner ? 1 : 2)*stencil_.compact()[i];
+        const vector e(unexplained(i, values));
+        const vector n(normalised(stencil_.area()[i]));
+        vector T
+        (
+            k
+           *(
+                stabilisation*material_.mu()*e
+              + material_.lambda()*n*(n & e)
+            )
+        );
+        for (label p = pointStart_[i]; p < pointStart_[i + 1]; ++p)
+        {
+            T += stress(p);
+        }
+        if (!inner)
+        {
+            force[i - firstBoundary] = T;
+            continue;
+        }
+        row[P] -= T;
+        if (N < nCells)
+        {
+            row[N] += T;
+        }
+    }
+}
+
+
+template<class Act>
+void Foam::fsbi::fourthOrderElastic::forStrips
+(
+    const label ghost, const Act& act
+) const
+{
+    if (surface_)
+    {
+        for (const stripOfFace& strip : strips_[ghost])
+        {
+            act(pointStart_[strip.number], strip.sign);
+        }
+    }
+}
+
+
+template<class Stress>
+void Foam::fsbi::fourthOrderElastic::addStrips
+(
+    const Stress& stress, vectorField& loads
+) const
+{
+    forAll(loads, g)
+    {
+        if (boundary_.kindOf(g) == solidBoundary::traction)
+        {
+            forStrips(g, [&](const label p, const scalar sign)
+            {
+                loads[g] += sign*stress(p);
+            });
+        }
+    }
+}
+
+
+void Foam::fsbi::fourthOrderElastic::addBoundaryRows
+(
+    const fitted& values,
+    const vectorField& force,
+    const vectorField& given,
+    scalar* r
+) const
+{
+    vector* row = asVectors(r);
+    vector* ghostRow = row + mesh_.nCells();
+    forAll(force, g)
+    {
+        const label i = stencil_.firstBoundary() + g;
+        const label P = stencil_.owner()[i];
+        const scalar* u = values.faces[g].cdata();
+        const vector atFace(u[0], u[1], u[2]);
+        switch (boundary_.kindOf(g))
+        {
+            case solidBoundary::displacement:
+                row[P] -= force[g];
+                ghostRow[g] = 2*(atFace - given[g]);
+                break;
+            case solidBoundary::traction:
+                row[P] -= given[g];
+                ghostRow[g] = boundary_.ghostRow(g, force[g] - given[g]);
+                break;
+            default:
+            {
+                const vector n(normalised(stencil_.area()[i]));
+                const vector normal(n*(n & force[g]));
+                row[P] -= normal;
+                ghostRow[g] =
+                    2*n*(n & atFace) + boundary_.ghostRow(g, force[g] - normal);
+            }
+        }
+    }
+}
+
+
+void Foam::fsbi::fourthOrderElastic::residual
+(
+    const scalar* x, const solidBoundary& given, scalar* r
+)
+{
+    std::fill_n(r, size(), scalar(0));
+    given_ = &given;
+    tangentsKnown_ = false;
+    fit(x, now_);
+    forAll(state_.gradient(), v)
+    {
+        const scalar* s = now_.slopes.cdata() + nSlopes*v;
+        state_.gradient()[v] =
+            tensor(s[0], s[4], s[8], s[1], s[5], s[9], s[2], s[6], s[10]);
+    }
+    state_.evaluate();
+    pointState_.gradient() = now_.gradient;
+    pointState_.evaluate();
+    const auto stress = [this](const label p)
+    {
+        return pointState_.stress()[p] & areas_[p];
+    };
+    addFaces(now_, stress, boundaryForce_, r);
+
+    vectorField atGhosts(stencil_.nGhosts(), Zero);
+    forAll(atGhosts, g)
+    {
+        const auto kind = boundary_.kindOf(g);
+        if (kind == solidBoundary::displacement)
+        {
+            atGhosts[g] = given.faces[stencil_.ghostFaces()[g]];
+        }
+        else if (kind == solidBoundary::traction)
+        {
+            atGhosts[g] = boundary_.deadLoad(g, given);
+            const label i = stencil_.firstBoundary() + g;
+            for (label p = pointStart_[i]; p < pointStart_[i + 1]; ++p)
+            {
+                atGhosts[g] += boundary_.followerLoad
+                (
+                    g, given, areas_[p], now_.gradient[p]
+                );
+            }
+            forStrips(g, [&](const label p, const scalar sign)
+            {
+                atGhosts[g] -= sign*boundary_.pressureLoad
+                (
+                    g, given, areas_[p], now_.gradient[p]
+                );
+            });
+        }
+    }
+    const vectorField loads(atGhosts);
+    addStrips(stress, atGhosts);
+    addBoundaryRows(now_, boundaryForce_, atGhosts, r);
+    forAll(atGhosts, g)
+    {
+        if (boundary_.kindOf(g) == solidBoundary::traction)
+        {
+            boundaryForce_[g] = loads[g];
+        }
+    }
+}
+
+
+void Foam::fsbi::fourthOrderElastic::setTangents() const
+{
+    tangents_.setSize(9*points_.size());
+    forAll(points_, p)
+    {
+        for (direction j = 0; j < 9; ++j)
+        {
+            tensor dH(Zero);
+            dH[j] = 1;
+            tangents_[9*p + j] = pointState_.tangent(p, dH, 0) & areas_[p];
+        }
+    }
+    tangentsKnown_ = true;
+}
+
+
+void Foam::fsbi::fourthOrderElastic::applyJacobian
+(
+    const scalar* dx, scalar* dr
+) const
+{
+    if (!tangentsKnown_)
+    {
+        setTangents();
+    }
+    std::fill_n(dr, size(), scalar(0));
+    fit(dx, along_);
+    const auto stress = [this](const label p)
+    {
+        const tensor& dH = along_.gradient[p];
+        vector sum(dH[0]*tangents_[9*p]);
+        for (direction j = 1; j < 9; ++j)
+        {
+            sum += dH[j]*tangents_[9*p + j];
+        }
+        return sum;
+    };
+    vectorField force(stencil_.nGhosts(), Zero);
+    addFaces(along_, stress, force, dr);
+
+    vectorField atGhosts(stencil_.nGhosts(), Zero);
+    forAll(atGhosts, g)
+    {
+        const label i = stencil_.firstBoundary() + g;
+        const bool loaded =
+            boundary_.kindOf(g) == solidBoundary::traction
+         && boundary_.follows(g, *given_);
+        for (label p = pointStart_[i]; loaded && p < pointStart_[i + 1]; ++p)
+        {
+            atGhosts[g] += boundary_.loadTangent
+            (
+                g, *given_, areas_[p], now_.gradient[p], along_.gradient[p]
+            );
+        }
+        if (loaded)
+        {
+            forStrips(g, [&](const label p, const scalar sign)
+            {
+                atGhosts[g] -= sign*boundary_.pressureTangent
+                (
+                    g, *given_, areas_[p], now_.gradient[p],
+                    along_.gradient[p]
+                );
+            });
+        }
+    }
+    addStrips(stress, atGhosts);
+    addBoundaryRows(along_, force, atGhosts, dr);
+}
