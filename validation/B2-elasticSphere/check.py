@@ -210,11 +210,6 @@ def turns():
     # bound: a quarter of the error of this mesh (0.04, edges of 0.3 radii)
     results.add("turns_largest_deviation_abs",
                 np.abs(settled / mean - 1).max(), 0, 0.01, cells=run.cells)
-    _, by_order_4, _ = Case("runs/turnsOrder4").shape("cell")
-    settled = by_order_4[len(by_order_4) // 20:]
-    # bound: asked for
-    results.add("turns_order4_largest_error_abs",
-                np.abs(settled / steady()[0.05]["D_exact"] - 1).max(), 0, 0.002)
     volume = run.history["elasticBodies/cell/volume"]["now"]
     # bound: pressures of viscosity times shear rate = 0.05 G over the bulk modulus,
     # 50 G at nu 0.49
