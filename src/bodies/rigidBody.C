@@ -4,7 +4,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "rigidBody.H"
-#include "bodyShape.H"
 #include "checkedDictionary.H"
 #include "mathematicalConstants.H"
 #include "timeFunction.H"
@@ -47,6 +46,7 @@ Foam::fsbi::rigidBody::rigidBody
 )
 :
     name_(name),
+    shapeCentre_(Zero),
     density_(0),
     mass_(0),
     inertia_(Zero),
@@ -63,8 +63,8 @@ Foam::fsbi::rigidBody::rigidBody
 
     readDensity(entries);
     const dictionary& shapeDict = entries.subDict("shape");
-    const autoPtr<bodyShape> shape(bodyShape::New(shapeDict));
-    shape_ = textOf(shapeDict);
+    shape_ = bodyShape::New(shapeDict);
+    shapeText_ = textOf(shapeDict);
     const point position(entries.get<point>("position"));
     const Tuple2<vector, scalar> turned(orientationOf(entries));
     const sixVector velocity
@@ -98,7 +98,7 @@ Foam::fsbi::rigidBody::rigidBody
     if (saved.empty())
     {
         now_.velocity = velocity;
-        place(shape->triangulate(), position, turned);
+        place(shape_->triangulate(), position, turned);
     }
     else
     {
@@ -133,8 +133,8 @@ void Foam::fsbi::rigidBody::place
 )
 {
     raw.check(name_);
-    const point centroid(raw.centroid());
-    surface_ = raw.transformed(tensor::I, -centroid);
+    shapeCentre_ = raw.centroid();
+    surface_ = raw.transformed(tensor::I, -shapeCentre_);
     setMass();
 
     if (mag(turned.first()) > 0)
@@ -144,7 +144,7 @@ void Foam::fsbi::rigidBody::place
             turned.first()/mag(turned.first()), turned.second()
         );
     }
-    now_.centre = position + (rotation() & centroid);
+    now_.centre = position + (rotation() & shapeCentre_);
     start_ = now_.centre;
     older_ = old_ = now_;
 }
@@ -164,7 +164,7 @@ void Foam::fsbi::rigidBody::checkShape
     const dictionary& saved
 ) const
 {
-    if (saved.get<string>("shape") != shape_)
+    if (saved.get<string>("shape") != shapeText_)
     {
         FatalIOErrorInFunction(dict)
             << "The shape of body '" << name_ << "' is no longer the one of"
@@ -217,6 +217,20 @@ void Foam::fsbi::rigidBody::readPrescription
 Foam::fsbi::bodySurface Foam::fsbi::rigidBody::placedSurface() const
 {
     return surface_.transformed(rotation(), now_.centre);
+}
+
+
+bool Foam::fsbi::rigidBody::hasShape() const
+{
+    return shape_->projects();
+}
+
+
+Foam::point Foam::fsbi::rigidBody::onShape(const point& p) const
+{
+    const tensor R(rotation());
+    const point inShape((R.T() & (p - now_.centre)) + shapeCentre_);
+    return now_.centre + (R & (shape_->project(inShape) - shapeCentre_));
 }
 
 
@@ -455,10 +469,12 @@ void Foam::fsbi::rigidBody::save(dictionary& dict) const
     dict.set("start", start_);
     dict.set("step", oldStep_);
     dict.set("accepted", accepted_);
-    dict.set("shape", shape_);
+    dict.set("shape", shapeText_);
+    dict.set("shapeCentre", shapeCentre_);
     dict.set("points", surface_.points());
     dict.set("triangles", surface_.triangles());
     dict.set("scale", surface_.scale());
+    dict.set("offset", surface_.offset());
 }
 
 
@@ -468,11 +484,16 @@ void Foam::fsbi::rigidBody::restore(const dictionary& dict)
     older_.restore(dict.subDict("older"));
     old_ = now_;
     start_ = dict.get<point>("start");
+    shapeCentre_ = dict.getOrDefault<point>("shapeCentre", Zero);
     oldStep_ = dict.get<scalar>("step");
     accepted_ = dict.get<label>("accepted");
     surface_ = bodySurface
     (
         dict.get<pointField>("points"), dict.get<List<triFace>>("triangles")
-    ).standingFor(dict.getOrDefault<scalar>("scale", 1));
+    ).standingFor
+    (
+        dict.getOrDefault<scalar>("scale", 1),
+        dict.getOrDefault<scalar>("offset", 0)
+    );
     setMass();
 }

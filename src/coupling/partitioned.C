@@ -198,7 +198,7 @@ Foam::vectorField Foam::fsbi::partitioned::fluidForce(const label solidi) const
     (
         springs_[solidi].force
         (
-            elastic_[solidi]->elastic->boundaryDisplacement()
+            elastic_[solidi]->elastic->surfaceDisplacement()
         )
     );
     return all - effects_[solidi];

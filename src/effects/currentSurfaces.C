@@ -17,6 +17,30 @@ Foam::fsbi::currentSurfaces::currentSurfaces
 {}
 
 
+Foam::fsbi::currentSurfaces::currentSurfaces
+(
+    const effectContext& context, const UList<bodySurface>& cut
+)
+:
+    currentSurfaces(context)
+{
+    forAll(cut, b)
+    {
+        const pointField& x = cut[b].points();
+        if (x.size())
+        {
+            const sixVector v(context.bodies[b].motion());
+            const point centre(context.bodies[b].placed().centre);
+            surfaces_.set(b, new bodySurface(cut[b]));
+            velocities_.set
+            (
+                b, new vectorField(linear(v) + (angular(v) ^ (x - centre)))
+            );
+        }
+    }
+}
+
+
 const Foam::word& Foam::fsbi::currentSurfaces::name(const label surface) const
 {
     return

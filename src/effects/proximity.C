@@ -8,10 +8,13 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Foam::scalar Foam::fsbi::timeToContact
 (
-    const effectContext& context, const scalar reach, string& names
+    const effectContext& context,
+    const UList<bodySurface>& cut,
+    const scalar reach,
+    string& names
 )
 {
-    const currentSurfaces now(context);
+    const currentSurfaces now(context, cut);
     const auto velocity = [&](const label surface, const label triangle)
     {
         return now.velocity(surface, materialPoint::centroid(triangle));

@@ -110,6 +110,35 @@ void Foam::fsbi::recorder::declareMotion
         history_.declare(path/"force"/source, xyz, "M L/T^2");
         history_.declare(path/"torque"/source, xyz, "M L^2/T^2");
     }
+    declareStresslet(path);
+}
+
+
+void Foam::fsbi::recorder::declareStresslet(const fileName& path)
+{
+    if (scene_.hasFluid())
+    {
+        history_.declare
+        (
+            path/"stresslet", {"xx", "xy", "xz", "yy", "yz", "zz"},
+            "M L^2/T^2"
+        );
+    }
+}
+
+
+void Foam::fsbi::recorder::appendStresslets()
+{
+    const fileNameList all(paths());
+    forAll(all, b)
+    {
+        const symmTensor s(scene_.fluid().stresslet(b));
+        history_.append
+        (
+            all[b]/"stresslet", time_.value(),
+            scalarList({s.xx(), s.xy(), s.xz(), s.yy(), s.yz(), s.zz()})
+        );
+    }
 }
 
 
@@ -181,6 +210,7 @@ void Foam::fsbi::recorder::declareElastic(const solidRegion& body)
     );
     if (scene_.hasFluid())
     {
+        declareStresslet(path);
         history_.declare(path/"fluidForce", xyz, "M L/T^2");
         history_.declare(path/"tether", xyz, "M L/T^2");
         history_.declare(path/"volume", {"now"}, "L^3");
@@ -408,6 +438,10 @@ void Foam::fsbi::recorder::append
                 series_[bodies.rigid.size() + b], body
             );
         }
+    }
+    if (scene_.hasFluid())
+    {
+        appendStresslets();
     }
     if (scene_.effects())
     {

@@ -10,6 +10,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "serialScope.H"
 #include "sizeField.H"
 #include "triangleCrossings.H"
+#include "surfaceDistance.H"
+#include "wallPolyPatch.H"
 #include "OStringStream.H"
 
 #include <cmath>
@@ -22,6 +24,9 @@ namespace fsbi
 //- Binary digits of a coordinate, over the size of the domain, that the mesh
 //  depends on: 1e-6. Round-off further down would turn edges of the mesh
 static const label digits = 20;
+
+//- And over the shortest edge of a body, where that needs more
+static const label digitsOfEdge = 8;
 
 //- Where bodies are placed
 static const char* const places =
@@ -38,6 +43,28 @@ static vector rounded(const vector& x, const scalar unit)
     (
         std::round(x.x()/unit), std::round(x.y()/unit), std::round(x.z()/unit)
     );
+}
+
+
+//- What points are rounded to, if there are no such edges
+static scalar unitOf(const boundBox& domain)
+{
+    return std::ldexp(1.0, std::ilogb(domain.mag()) - digits);
+}
+
+
+static scalar unitOf
+(
+    const boundBox& domain, const UList<bodySurface>& bodies
+)
+{
+    int exponent = std::ilogb(unitOf(domain));
+    for (const bodySurface& body : bodies)
+    {
+        const scalar edge = min(sizeField::pointSizes(body));
+        exponent = min(exponent, std::ilogb(edge) - digitsOfEdge);
+    }
+    return std::ldexp(1.0, exponent);
 }
 
 
@@ -68,8 +95,7 @@ Foam::fsbi::outcome Foam::fsbi::conformalMesher::placed
 (
     const wordList& names,
     const UList<bodySurface>& bodies,
-    const boundBox& domain,
-    const scalar unit
+    const boundBox& domain
 )
 {
     OStringStream reason;
@@ -92,7 +118,7 @@ Foam::fsbi::outcome Foam::fsbi::conformalMesher::placed
                 << domain.max() << places;
             return outcome::failed(reason.str());
         }
-        if (bodies[b].meanEdge() < finestEdge*unit)
+        if (bodies[b].meanEdge() < finestEdge*unitOf(domain))
         {
             reason
                 << "Body '" << names[b] << "' is " << cmptMax(box.span())
@@ -373,19 +399,40 @@ Foam::fsbi::conformalMesher::conformalMesher
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::conformalMesher::refined
+(
+    const UList<bodySurface>& bodies,
+    const UList<toShape>& shapes,
+    const vector& shift
+) const
+{
+    // nothing holds the flow back at an open patch
+    DynamicList<triFace> walls;
+    forAll(wallPatches_, i)
+    {
+        if (isA<wallPolyPatch>(domain_.boundaryMesh()[wallPatches_[i]]))
+        {
+            walls.append(walls_.triangles()[i]);
+        }
+    }
+    const surfaceDistance toWalls(walls_.points() + shift, walls);
+    return refinedInGaps(bodies, shapes, toWalls, controls_.gapSag);
+}
+
+
 Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
 (
     const wordList& bodyNames,
     const UList<bodySurface>& exact,
-    const vector& exactShift
+    const vector& exactShift,
+    const scalar finestEdge
 ) const
 {
-    const scalar unit =
-        std::ldexp(1.0, std::ilogb(walls_.bounds().mag()) - digits);
+    const scalar unit = unitOf(walls_.bounds(), exact);
     const List<bodySurface> bodies(rounded(exact, unit));
     const vector shift(rounded(exactShift, unit));
     const bodySurface walls(walls_.transformed(tensor::I, shift));
-    outcome possible(placed(bodyNames, exact, walls.bounds(), unit));
+    outcome possible(placed(bodyNames, exact, walls.bounds()));
     if (possible)
     {
         possible = apart(bodyNames, bodies, walls);
@@ -397,9 +444,16 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
         return mesh;
     }
     const serialScope serial;
+    remeshControls controls(controls_);
+    if (finestEdge > 0 && controls.minSize <= 0)
+    {
+        // without the round-off of bodies' places, as the points
+        controls.minSize =
+            remeshControls::finestPart*unit*std::round(finestEdge/unit);
+    }
     sizeField size
     (
-        domain_, shift, walls, bodies, cyclics_.translations(), controls_
+        domain_, shift, walls, bodies, cyclics_.translations(), controls
     );
     mesh.failure = tooManyCells(reportCells(bodies, walls, size), controls_);
     if (mesh.valid())

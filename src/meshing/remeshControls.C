@@ -26,6 +26,13 @@ Foam::fsbi::remeshControls::remeshControls(const dictionary& dict)
     farSize = orNoted("farSize", "that of blockMesh's cells");
     minSize = orNoted("minSize", "0.4 of the bodies' finest mean edge");
     cellsPerGap = entries.positive("cellsPerGap", 3);
+    gapSag = entries.getOrDefault<scalar>("gapSag", 0.05);
+    if (gapSag < 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'gapSag' must be zero (no triangle is cut) or more, but is "
+            << gapSag << exit(FatalIOError);
+    }
     optimise = entries.getOrDefault<label>("optimise", 1);
     maxNonOrthogonality = entries.positive("maxNonOrthogonality", 70);
     maxSkewness = entries.positive("maxSkewness", 4);

@@ -7,6 +7,12 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "secondOrderStokes.H"
 #include "syncTools.H"
 
+const Foam::point Foam::fsbi::boundaryValues::nowhere
+(
+    Foam::GREAT, Foam::GREAT, Foam::GREAT
+);
+
+
 namespace Foam
 {
 namespace fsbi

@@ -184,7 +184,7 @@ Foam::autoPtr<Foam::fvMesh> Foam::fsbi::elasticBody::makeMesh
             whole = bodyMesher(controls).fill
             (
                 name_,
-                facets.scaled(onSurface ? 1/facets.scale() : 1)
+                (onSurface ? facets.described() : facets)
                .transformed(turned_, position_)
             );
         }

@@ -8,6 +8,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "untrapped.H"
 #include "Time.H"
 #include "pointIOField.H"
+#include "wallPolyPatch.H"
 
 namespace Foam
 {
@@ -60,6 +61,7 @@ Foam::fsbi::fluidMesh::fluidMesh
     followed_(-1),
     direction_(Zero),
     referenceShift_(Zero),
+    referenceGap_(GREAT),
     generation_(0)
 {
     readFollow();
@@ -73,6 +75,7 @@ Foam::fsbi::fluidMesh::fluidMesh
     if (hasRegionMesh(time_, name_))
     {
         readMesh(time_.constant());
+        surfaces_ = meshedSurfaces(bodies_);
     }
     else
     {
@@ -174,14 +177,14 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::generate
 {
     readDomain();
     meshLists whole;
+    List<bodySurface> surfaces(meshedSurfaces(bodies_));
     if (Pstream::master())
     {
-        List<bodySurface> surfaces(bodies_.size());
-        forAll(bodies_, b)
-        {
-            surfaces[b] = bodies_[b].meshedSurface();
-        }
-        whole = mesher_->generate(namesOf(bodies_), surfaces, shift());
+        surfaces = mesher_->refined(surfaces, shapes(), shift());
+        whole = mesher_->generate
+        (
+            namesOf(bodies_), surfaces, shift(), finestEdge()
+        );
     }
     string reason(whole.failure);
     Pstream::scatter(reason);
@@ -199,7 +202,27 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::generate
         mesh_ = makeRegionMesh(time_, name_, whole);
     }
     ++generation_;
+    for (bodySurface& surface : surfaces)
+    {
+        Pstream::scatter(surface);
+    }
+    surfaces_ = std::move(surfaces);
     return outcome();
+}
+
+
+Foam::List<Foam::fsbi::toShape> Foam::fsbi::fluidMesh::shapes() const
+{
+    List<toShape> result(bodies_.size());
+    forAll(bodies_, b)
+    {
+        const immersedBody& body = bodies_[b];
+        if (body.hasShape())
+        {
+            result[b] = [&body](const point& p) { return body.onShape(p); };
+        }
+    }
+    return result;
 }
 
 
@@ -207,8 +230,9 @@ void Foam::fsbi::fluidMesh::setReference()
 {
     referencePoints_ = mesh().points();
     referenceShift_ = shift();
-    motion_.reset(new fluidMotion(mesh(), bodies_));
+    motion_.reset(new fluidMotion(mesh(), bodies_, surfaces_));
     measureReference();
+    referenceGap_ = smallestGap(walls_);
 }
 
 
@@ -216,11 +240,24 @@ void Foam::fsbi::fluidMesh::measureReference()
 {
     referenceVolumes_ = mesh().cellVolumes();
     referenceNonOrthogonality_ = meshQuality(mesh()).maxNonOrthogonality;
-    const bodySurface walls
-    (
-        inverseDistanceMotion::domainBoundary(mesh(), namesOf(bodies_))
-    );
-    walls_.reset(new surfaceDistance(walls.points(), walls.triangles()));
+    wordList others(namesOf(bodies_));
+    const auto boundary = [&]
+    {
+        const bodySurface rest
+        (
+            inverseDistanceMotion::domainBoundary(mesh(), others)
+        );
+        return new surfaceDistance(rest.points(), rest.triangles());
+    };
+    boundary_.reset(boundary());
+    for (const polyPatch& patch : mesh().boundaryMesh())
+    {
+        if (!isA<wallPolyPatch>(patch))
+        {
+            others.append(patch.name());
+        }
+    }
+    walls_.reset(boundary());
 }
 
 
@@ -285,13 +322,17 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::follow
         controls.maxNonOrthogonality,
         min(referenceNonOrthogonality_ + loss, remeshControls::bearable)
     );
-    const string reason
+    string reason
     (
         meshQuality(mesh(), referenceVolumes_).failureReason
         (
             controls, motion_->twist()
         )
     );
+    if (reason.empty())
+    {
+        reason = closingGap();
+    }
     if (reason.empty())
     {
         return outcome();
@@ -342,6 +383,7 @@ void Foam::fsbi::fluidMesh::save(dictionary& state) const
 {
     motion_->save(state);
     state.set("referenceShift", referenceShift_);
+    state.set("referenceGap", referenceGap_);
     state.set("generation", generation_);
 }
 
@@ -349,6 +391,7 @@ void Foam::fsbi::fluidMesh::save(dictionary& state) const
 void Foam::fsbi::fluidMesh::restore(const dictionary& saved)
 {
     referenceShift_ = saved.get<vector>("referenceShift");
+    referenceGap_ = saved.getOrDefault<scalar>("referenceGap", GREAT);
     generation_ = saved.get<label>("generation");
     referencePoints_ = pointIOField
     (

@@ -10,21 +10,69 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "wallPolyPatch.H"
 #include "ListOps.H"
 
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Part of a gap that may close before triangles are cut anew
+static const scalar closing = 0.5;
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::scalar Foam::fsbi::fluidMesh::finestEdge() const
+{
+    scalar edge = GREAT;
+    for (const immersedBody& body : bodies_)
+    {
+        edge = min(edge, body.meshedSurface().meanEdge());
+    }
+    return edge;
+}
+
+
+bool Foam::fsbi::fluidMesh::refines() const
+{
+    bool any = remeshControls(remeshDict_).gapSag > 0;
+    for (const immersedBody& body : bodies_)
+    {
+        any = any && body.hasShape();
+    }
+    return any;
+}
+
+
 Foam::scalar Foam::fsbi::fluidMesh::resolvedGap() const
 {
-    const remeshControls controls(remeshDict_);
-    scalar edge = GREAT;
-    forAll(bodies_, b)
+    if (refines())
     {
-        edge = min(edge, bodies_[b].meshedSurface().meanEdge());
+        return narrowestGap(finestEdge());
     }
+    const remeshControls controls(remeshDict_);
     return
         controls.cellsPerGap
        *(
             controls.minSize > 0
           ? controls.minSize
-          : remeshControls::finestPart*edge
+          : remeshControls::finestPart*finestEdge()
         );
+}
+
+
+Foam::string Foam::fsbi::fluidMesh::closingGap() const
+{
+    if (!refines())
+    {
+        return string();
+    }
+    const scalar gap = smallestGap(walls_);
+    return
+        gap < closing*referenceGap_ && gap < finestEdge()
+      ? "a gap has closed from " + Foam::name(referenceGap_) + " to "
+      + Foam::name(gap)
+      : string();
 }
 
 
@@ -97,10 +145,37 @@ Foam::string Foam::fsbi::fluidMesh::bodyThatLeaves(const scalar gap) const
 }
 
 
+Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::fluidMesh::cutSurfaces() const
+{
+    List<bodySurface> cut(bodies_.size());
+    forAll(cut, b)
+    {
+        if (motion_ && motion_->refined(b))
+        {
+            cut[b] = motion_->surface(b);
+        }
+    }
+    return cut;
+}
+
+
 Foam::scalar Foam::fsbi::fluidMesh::smallestGap() const
+{
+    return smallestGap(boundary_);
+}
+
+
+Foam::scalar Foam::fsbi::fluidMesh::smallestGap
+(
+    const autoPtr<surfaceDistance>& walls
+) const
 {
     const vector moved(shift() - referenceShift_);
     scalar gap = GREAT;
+    const auto now = [&](const label b)
+    {
+        return motion_ ? motion_->surface(b) : bodies_[b].meshedSurface();
+    };
     const auto approach =
         [&](const surfaceDistance& surface, const pointField& x, const vector& by)
         {
@@ -116,10 +191,10 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap() const
         };
     forAll(bodies_, b)
     {
-        const bodySurface surface(bodies_[b].meshedSurface());
-        if (walls_)         // known with the first mesh
+        const bodySurface surface(now(b));
+        if (walls)          // known with the first mesh
         {
-            approach(walls_(), surface.points(), moved);
+            approach(walls(), surface.points(), moved);
         }
         if (bodies_.size() > 1)
         {
@@ -128,7 +203,7 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap() const
             {
                 approach
                 (
-                    tree, bodies_[other].meshedSurface().points(), Zero
+                    tree, now(other).points(), Zero
                 );
             }
         }

@@ -20,20 +20,32 @@ Foam::wordList Foam::fsbi::namesOf(const UPtrList<immersedBody>& bodies)
 }
 
 
+Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::meshedSurfaces
+(
+    const UPtrList<immersedBody>& bodies
+)
+{
+    List<bodySurface> surfaces(bodies.size());
+    forAll(bodies, b)
+    {
+        surfaces[b] = bodies[b].meshedSurface();
+    }
+    return surfaces;
+}
+
+
 Foam::fsbi::fluidMotion::fluidMotion
 (
-    const polyMesh& mesh, const UPtrList<immersedBody>& bodies
+    const polyMesh& mesh,
+    const UPtrList<immersedBody>& bodies,
+    const UList<bodySurface>& surfaces
 )
 :
     mesh_(mesh),
     bodies_(bodies),
-    surfaces_(bodies.size()),
+    surfaces_(surfaces),
     placements_(placementsNow())
 {
-    forAll(bodies_, b)
-    {
-        surfaces_[b] = bodies_[b].meshedSurface();
-    }
     create();
 }
 
@@ -54,10 +66,17 @@ Foam::fsbi::fluidMotion::fluidMotion
     const auto centres = saved.get<List<vector>>("referenceCentres");
     const auto orientations =
         saved.get<List<quaternion>>("referenceOrientations");
+    const auto triangles =
+        saved.getOrDefault<List<List<triFace>>>("referenceTriangles", {});
     forAll(bodies_, b)
     {
-        surfaces_[b] =
-            bodySurface(points[b], bodies_[b].meshedSurface().triangles());
+        surfaces_[b] = bodySurface
+        (
+            points[b],
+            triangles.size() && triangles[b].size()
+          ? triangles[b]
+          : bodies_[b].meshedSurface().triangles()
+        );
         placements_[b] = {centres[b], orientations[b]};
     }
     create();
@@ -134,6 +153,30 @@ Foam::pointField Foam::fsbi::fluidMotion::points(const vector& frameShift) const
 }
 
 
+bool Foam::fsbi::fluidMotion::refined(const label bodyi) const
+{
+    return
+        surfaces_[bodyi].triangles().size()
+     != bodies_[bodyi].meshedSurface().triangles().size();
+}
+
+
+Foam::fsbi::bodySurface Foam::fsbi::fluidMotion::surface
+(
+    const label bodyi
+) const
+{
+    if (!refined(bodyi))
+    {
+        return bodies_[bodyi].meshedSurface();
+    }
+    const placement& then = placements_[bodyi];
+    const placement now(bodies_[bodyi].placed());
+    const tensor R(now.orientation.R() & then.orientation.R().T());
+    return surfaces_[bodyi].transformed(R, now.centre - (R & then.centre));
+}
+
+
 Foam::scalar Foam::fsbi::fluidMotion::twist() const
 {
     return inverseDistance_->twist(placementsNow());
@@ -145,13 +188,19 @@ void Foam::fsbi::fluidMotion::save(dictionary& state) const
     List<pointField> points(bodies_.size());
     List<vector> centres(bodies_.size());
     List<quaternion> orientations(bodies_.size());
+    List<List<triFace>> triangles(bodies_.size());
     forAll(bodies_, b)
     {
         points[b] = surfaces_[b].points();
+        if (refined(b))
+        {
+            triangles[b] = surfaces_[b].triangles();
+        }
         centres[b] = placements_[b].centre;
         orientations[b] = placements_[b].orientation;
     }
     state.set("referenceSurfaces", points);
+    state.set("referenceTriangles", triangles);
     state.set("referenceCentres", centres);
     state.set("referenceOrientations", orientations);
 }

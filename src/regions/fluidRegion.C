@@ -7,7 +7,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "bodyCoupling.H"
 #include "loadCoupling.H"
 #include "tractionCondition.H"
-#include "volumeForces.H"
 #include "syncTools.H"
 
 Foam::fsbi::fluidRegion::fluidRegion
@@ -185,119 +184,6 @@ void Foam::fsbi::fluidRegion::linkBodies()
 }
 
 
-Foam::label Foam::fsbi::fluidRegion::readOrder
-(
-    const checkedDictionary& coupling
-) const
-{
-    const label order = coupling.count("order", 2);
-    if (order != 2 && order != 4)
-    {
-        FatalErrorInFunction
-            << "Entry 'order' of 'coupling' in system/fluid/fvSolution is "
-            << order << "; valid choices are (2 4)" << exit(FatalError);
-    }
-    for (const momentumTerm& term : momentum_->terms())
-    {
-        if (order == 4 && !isA<volumeForces>(term))
-        {
-            FatalErrorInFunction
-                << "Order 4 of the fluid is not there with '" << term.type()
-                << "' in constant/fluid/material. Give 'order 2' in 'coupling'"
-                << " of system/fluid/fvSolution" << exit(FatalError);
-        }
-    }
-    return order;
-}
-
-
-void Foam::fsbi::fluidRegion::createOperators()
-{
-    solver_.clear();
-    const dictionary& coupling =
-        mesh().solutionDict().subOrEmptyDict("coupling");
-    checkIntegrators(coupling);
-    const checkedDictionary entries(coupling);
-    stokesOperator::schemes schemes;
-    schemes.order = readOrder(entries);
-    schemes.linearFaces =
-        entries.choice
-        (
-            "faceValues", {"reconstructed", "linear"}, "reconstructed"
-        ) == "linear";
-    schemes.gradients = stokesOperator::gradientSchemes
-    [
-        entries.choice
-        (
-            "gradients", stokesOperator::gradientSchemes.names(), "vertex"
-        )
-    ];
-    schemes.onSurface = surfaceOfBodies();
-    forAll(mesh_.bodies(), b)
-    {
-        if (mesh_.bodies()[b].curved())
-        {
-            schemes.curvedPatches.append(mesh_.bodyPatch(b));
-        }
-    }
-    momentum_->set(conditions_.velocityGiven(U_()), schemes);
-    linkBodies();
-    createSolver();
-}
-
-
-std::function<Foam::point(const Foam::label, const Foam::point&)>
-Foam::fsbi::fluidRegion::surfaceOfBodies() const
-{
-    // points of bodies were moved outward for the sake of the volume
-    labelList bodyOf(mesh().boundaryMesh().size(), -1);
-    scalarList scale(mesh_.bodies().size());
-    forAll(mesh_.bodies(), b)
-    {
-        bodyOf[mesh_.bodyPatch(b)] = b;
-        scale[b] = mesh_.bodies()[b].meshedSurface().scale();
-    }
-    return [=](const label patchi, const point& x)
-    {
-        const label b = bodyOf[patchi];
-        if (b < 0 || scale[b] == 1)
-        {
-            return x;
-        }
-        const point centre(mesh_.bodies()[b].placed().centre);
-        return point(centre + (x - centre)/scale[b]);
-    };
-}
-
-
-void Foam::fsbi::fluidRegion::createSolver()
-{
-    solver_.clear();
-    solver_ = fluidSolver::New
-    (
-        mesh(), momentum_(), mesh().solutionDict().subOrEmptyDict("coupling")
-    );
-}
-
-
-void Foam::fsbi::fluidRegion::checkIntegrators(const dictionary& coupling) const
-{
-    const word method(coupling.getOrDefault<word>("method", "coupled"));
-    for (const rigidBody& body : rigidBodies_)
-    {
-        if (body.integrator() == "semiImplicit" && method != "SIMPLEC")
-        {
-            FatalErrorInFunction
-                << "Body '" << body.name() << "' has the integrator"
-                << " 'semiImplicit', which works inside method SIMPLEC only,"
-                << " but 'method' of 'coupling' in "
-                << coupling.name() << " is '" << method
-                << "'. Take integrator 'monolithic'" << exit(FatalError);
-        }
-    }
-}
-
-
 void Foam::fsbi::fluidRegion::beginStep()
 {
     oldX_ = x_;
@@ -388,6 +274,34 @@ Foam::fsbi::sixVector Foam::fsbi::fluidRegion::load(const label bodyi) const
     rows[0].centre = mesh_.bodies()[bodyi].placed().centre;
     rows[0].faces = bodyFaces_[bodyi];
     return bodyLoads(stokes(), rows, traction_)[0];
+}
+
+
+Foam::symmTensor Foam::fsbi::fluidRegion::stresslet
+(
+    const label bodyi
+) const
+{
+    const point centre(mesh_.bodies()[bodyi].placed().centre);
+    const tensorField& moments = stokes().tractionMoments();
+    const vectorField& mean = stokes().meanVelocities();
+    const vectorField& velocity = mean.empty() ? given_.faces : mean;
+    // Facets inside of the surface tell the same: what is between adds
+    // sigma - mu (grad u + (grad u)^T), a pressure, which has no deviator
+    tensor sum(Zero);
+    for (const label i : bodyFaces_[bodyi])
+    {
+        const label facei = mesh().nInternalFaces() + i;
+        // areas of the fluid's mesh point into the body
+        sum -= (mesh().faceCentres()[facei] - centre)*traction_[i];
+        if (moments.size())
+        {
+            sum -= moments[i];
+        }
+        sum += 2*stokes().mu()*velocity[i]*mesh().faceAreas()[facei];
+    }
+    reduce(sum, sumOp<tensor>());
+    return dev(symm(sum));
 }
 
 

@@ -35,8 +35,9 @@ Foam::fsbi::surfaceSide Foam::fsbi::fluidRegion::sideOf(const label b) const
 void Foam::fsbi::fluidRegion::linkSurfaces
 (
     const UList<elasticRows*>& elastic
-) const
+)
 {
+    given_.facePoints.clear();
     forAll(elastic, e)
     {
         if (elastic[e]->generation != mesh_.generation())
@@ -45,6 +46,7 @@ void Foam::fsbi::fluidRegion::linkSurfaces
             elastic[e]->fluidPatch = mesh_.bodyPatch(rigidBodies_.size() + e);
             elastic[e]->generation = mesh_.generation();
         }
+        elastic[e]->setFacePoints(stokes(), given_);
     }
 }
 

@@ -334,7 +334,7 @@ Foam::scalar Foam::fsbi::scene::timeToContact
                 time_, bodies_.immersed, fluid_->walls(),
                 fluid_->stokes().mu()
             },
-            reach, names
+            fluid_->meshing().cutSurfaces(), reach, names
         )
       : GREAT;
 }

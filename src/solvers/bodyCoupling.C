@@ -33,6 +33,16 @@ void Foam::fsbi::setBodyVelocities
 }
 
 
+//- Of the tensor r t the vector r ^ t
+static Foam::vector crossed(const Foam::tensor& rt)
+{
+    return Foam::vector
+    (
+        rt.yz() - rt.zy(), rt.zx() - rt.xz(), rt.xy() - rt.yx()
+    );
+}
+
+
 Foam::List<Foam::fsbi::sixVector> Foam::fsbi::bodyLoads
 (
     const stokesOperator& stokes,
@@ -41,7 +51,7 @@ Foam::List<Foam::fsbi::sixVector> Foam::fsbi::bodyLoads
 )
 {
     const fvMesh& mesh = stokes.stencil().mesh();
-    const vectorField& moments = stokes.tractionMoments();
+    const tensorField& moments = stokes.tractionMoments();
     scalarField sums(6*bodies.size(), Zero);
     forAll(bodies, b)
     {
@@ -53,7 +63,7 @@ Foam::List<Foam::fsbi::sixVector> Foam::fsbi::bodyLoads
             torque -= (x - bodies[b].centre) ^ traction[i];
             if (moments.size())
             {
-                torque -= moments[i];
+                torque -= crossed(moments[i]);
             }
         }
         const sixVector load(join(force, torque));

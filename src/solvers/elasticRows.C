@@ -42,7 +42,7 @@ void Foam::fsbi::elasticRows::applyJacobian(const scalar* dx, scalar* dr) const
 
 Foam::fsbi::surfaceDisplacement Foam::fsbi::elasticRows::surface() const
 {
-    vectorField moving(elastic->boundaryDisplacement());
+    vectorField moving(elastic->surfaceDisplacement());
     for (const label i : solid.faces)
     {
         if (elastic->boundary().kinds()[i] == solidBoundary::displacement)
@@ -69,7 +69,7 @@ Foam::fsbi::surfaceDisplacement Foam::fsbi::elasticRows::surface() const
 Foam::fsbi::surfaceDisplacement
 Foam::fsbi::elasticRows::surfaceIncrement() const
 {
-    vectorField moving(elastic->boundaryIncrement());
+    vectorField moving(elastic->surfaceIncrement());
     for (const label i : solid.faces)
     {
         if (elastic->boundary().kinds()[i] == solidBoundary::displacement)
@@ -122,6 +122,31 @@ void Foam::fsbi::elasticRows::setVelocity
         vectorField(velocityCoeff*d.points + knownPoints), values.vertices
     );
     stokes.setOnEdges(fluidPatch, values.vertices);
+}
+
+
+void Foam::fsbi::elasticRows::setFacePoints
+(
+    const stokesOperator& stokes, boundaryValues& values
+) const
+{
+    vectorField x(elastic->surfacePoints());
+    if (returnReduce(x.empty(), andOp<bool>()))
+    {
+        return;
+    }
+    for (const label i : solid.faces)
+    {
+        if (elastic->boundary().kinds()[i] == solidBoundary::displacement)
+        {
+            x[i] = boundaryValues::nowhere;
+        }
+    }
+    values.facePoints.resize
+    (
+        stokes.nBoundaryFaces(), boundaryValues::nowhere
+    );
+    fluid.spreadFaces(solid.collectFaces(x), values.facePoints);
 }
 
 

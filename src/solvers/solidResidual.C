@@ -83,7 +83,7 @@ bool Foam::fsbi::solidResidual::evaluate(const scalarList& x)
     {
         elastic_.boundary().addLoad
         (
-            problem_->spring->force(elastic_.boundaryDisplacement()),
+            problem_->spring->force(elastic_.surfaceDisplacement()),
             rows_.begin()
         );
     }
@@ -123,7 +123,7 @@ void Foam::fsbi::solidResidual::finishJacobian
     {
         elastic_.boundary().addLoad
         (
-            -(problem_->spring->stiffness & elastic_.boundaryIncrement()), dr
+            -(problem_->spring->stiffness & elastic_.surfaceIncrement()), dr
         );
     }
     addMass(problem_->mass, dx, dr);

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "stokesPreconditioner.H"
 #include "compactLaplacian.H"
+#include "gapDrag.H"
 
 Foam::fsbi::stokesPreconditioner::stokesPreconditioner
 (
@@ -77,10 +78,15 @@ void Foam::fsbi::stokesPreconditioner::rebuild()
 {
     setMatrix();
     createCycle(matrix_, cycle_);
-    inertial_.clear();
+    dragged_.clear();
+    scalarField drag(gapDrag(stokes_));
     if (momentum_.massRate().size())
     {
-        inertial_.reset(new inertialPressure(momentum_));
+        drag += momentum_.massRate()/mesh_.cellVolumes();
+    }
+    if (gMax(drag) > 0)
+    {
+        dragged_.reset(new draggedPressure(stokes_, drag));
     }
 }
 
@@ -135,9 +141,9 @@ void Foam::fsbi::stokesPreconditioner::apply
     {
         pressure_[i] = stokes_.mu()/V[i]*r[4*i + 3];
     }
-    if (inertial_)
+    if (dragged_)
     {
-        inertial_->apply(pressure_);
+        dragged_->apply(pressure_);
     }
     stokes_.stencil().halo().fill(pressure_.data(), 1);
 

@@ -22,6 +22,7 @@ RADIUS, SPEED = 8, 1.4e-4               # of the tutorial; the peer's are 1
 DRAG = 6 * np.pi
 NAMES = {"order4": "fsbiFoam, order 4", "order2": "fsbiFoam, order 2",
          "SIMPLEC": "fsbiFoam, order 2, SIMPLEC", "TaylorHood": "Taylor-Hood elements (dolfinx)"}
+OTHERS = "ellipsoid", "twoSpheres", "capsule", "helix", "box", "cylinder", "disc"
 PEER = "body size cells drag iterations memory seconds wall meshing assembly setUp solve".split()
 results = Results("H1")
 
@@ -171,7 +172,7 @@ def of_others(elements):
     """On three meshes each: seconds at the error of order 4 on the middle one, errors at
     equal cells. The last three have sharp edges."""
     curves = {}
-    for body in ("ellipsoid", "twoSpheres", "box", "cylinder", "disc"):
+    for body in OTHERS:
         theirs = [r for r in elements if r["body"] == body]
         exact, unsure = limit(theirs)
         fourth, theirs = own(body, "order4"), theirs[:3]
@@ -195,7 +196,7 @@ def of_others(elements):
 
 
 def draw_others(curves):
-    figure, axes = plots.plt.subplots(1, len(curves), figsize=(13, 3.4), sharey=True)
+    figure, axes = plots.plt.subplots(1, len(curves), figsize=(16, 3.4), sharey=True)
     for a, (body, (fourth, theirs, exact, unsure)) in zip(axes, curves.items()):
         a.axhspan(1e-6, 100 * unsure, color="#eeeeee")
         for i, method in ((0, "order4"), (3, "TaylorHood")):
@@ -209,7 +210,7 @@ def draw_others(curves):
         a.set_title(body, loc="left")
         a.set(xlabel="seconds")
     axes[0].set(ylabel="error of the drag (%)", ylim=(2e-3, None))
-    axes[0].legend(fontsize=8)
+    axes[-1].legend(fontsize=8, loc="lower left")
     plots.save(figure, "otherBodies.png")
 
 

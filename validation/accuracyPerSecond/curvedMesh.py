@@ -43,9 +43,10 @@ class Edges:
         return np.searchsorted(self.keys, np.unique(self._key(pairs)))
 
 
-def curve(middles, edges, number):
+def curve(body, middles, edges, number):
     """Surfaces first: where they meet, the edges' middles are on the curve."""
     moved = []
+    closest = bodies.CLOSEST.get(body)
     for dimension, kind, corners, flat in (
             (2, TRIANGLE, 3, "Plane"), (1, LINE, 2, "Line")):
         for _, tag in gmsh.model.getEntities(dimension):
@@ -55,8 +56,11 @@ def curve(middles, edges, number):
             nodes = number[nodes].reshape(-1, corners)
             pairs = np.concatenate([nodes[:, [i, (i + 1) % corners]] for i in range(corners)])
             found = edges.between(pairs)
-            points, _ = gmsh.model.getClosestPoint(dimension, tag, middles[found].ravel())
-            middles[found] = np.reshape(points, (-1, 3))
+            if closest:
+                middles[found] = closest(middles[found])
+            else:
+                points, _ = gmsh.model.getClosestPoint(dimension, tag, middles[found].ravel())
+                middles[found] = np.reshape(points, (-1, 3))
             moved.append(found)
     return np.unique(np.concatenate(moved)) if moved else np.array([], int)
 
@@ -98,7 +102,7 @@ def curved_mesh(body, size, growth):
     cells = number[gmsh.model.mesh.getElementsByType(TETRAHEDRON)[1]].reshape(-1, 4)
     edges = Edges(cells)
     middles = points[edges.ends].mean(axis=1)
-    moved = curve(middles, edges, number)
+    moved = curve(body, middles, edges, number)
     gmsh.finalize()
     unfold(points, cells, middles, edges, moved)
     return (np.concatenate((points, middles)),

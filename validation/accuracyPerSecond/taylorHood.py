@@ -84,7 +84,8 @@ def boundary_nodes(space, mesh):
 class TaylorHood:
     """Matrices on a mesh, and its nodes on the boundary."""
 
-    def __init__(self, mesh):
+    def __init__(self, mesh, box):
+        """box: half widths"""
         self.cells = mesh.topology.index_map(3).size_local
         velocity = fem.FunctionSpace(mesh, ("CG", 2))
         pressure = fem.FunctionSpace(mesh, ("CG", 1))
@@ -99,7 +100,7 @@ class TaylorHood:
         self.nodes, self.pressures = self.gradients[0].size
         self.points = velocity.tabulate_dof_coordinates()
         self.boundary = boundary_nodes(velocity, mesh)
-        on_body = np.abs(self.points[self.boundary]).max(axis=1) < 0.999 * bodies.HALF
+        on_body = (np.abs(self.points[self.boundary]) < 0.999 * box).all(axis=1)
         self.body = self.boundary[on_body]
         self.prolongation = interpolation_matrix(pressure._cpp_object, velocity._cpp_object)
         self.prolongation.assemble()
@@ -296,7 +297,7 @@ def main():
     clock = Clock()
     mesh = distributed(*curved_mesh(o.body, o.size, o.growth or o.size))
     clock.lap("meshing")
-    disc = TaylorHood(mesh)
+    disc = TaylorHood(mesh, bodies.box_of(o.body))
     clock.lap("assembly")
     force, iterations = solve(disc, bodies.flow(o.body), o.tolerance, clock)
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024

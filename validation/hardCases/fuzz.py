@@ -379,7 +379,9 @@ def main():
     options.add_argument("--only", nargs="+", type=int, default=[])
     options.add_argument("--show", type=int)
     options.add_argument("--results", default="fuzz.csv")
+    options.add_argument("--order", type=int, default=2, help="of accuracy")
     chosen = options.parse_args()
+    Scene.order = chosen.order
     if chosen.show:
         draw_scene(chosen.show).write(f"runs/fuzz{chosen.show}")
         return 0

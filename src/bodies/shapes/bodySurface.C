@@ -200,17 +200,40 @@ Foam::fsbi::bodySurface Foam::fsbi::bodySurface::scaled
     const scalar factor
 ) const
 {
-    return transformed(factor*tensor::I, Zero).standingFor(factor*scale_);
+    return transformed(factor*tensor::I, Zero).standingFor
+    (
+        factor*scale_, factor*offset_
+    );
+}
+
+
+Foam::fsbi::bodySurface Foam::fsbi::bodySurface::described() const
+{
+    vectorField normal(points_.size(), Zero);
+    for (const triFace& t : triangles_)
+    {
+        for (const label v : t)
+        {
+            normal[v] += t.areaNormal(points_);
+        }
+    }
+    bodySurface result(standingFor(1, 0));
+    forAll(points_, v)
+    {
+        result.points_[v] = described(points_[v], normalised(normal[v]));
+    }
+    return result;
 }
 
 
 Foam::fsbi::bodySurface Foam::fsbi::bodySurface::standingFor
 (
-    const scalar scale
+    const scalar scale, const scalar offset
 ) const
 {
     bodySurface result(*this);
     result.scale_ = scale;
+    result.offset_ = offset;
     return result;
 }
 

@@ -191,7 +191,7 @@ Foam::fsbi::bodySurface Foam::fsbi::helix::make(const scalar size) const
         filament *= Foam::sqrt(exact/surface.volume());
         surface = sweep(size, filament);
     }
-    return surface;
+    return surface.standingFor(1, filament - filamentRadius_);
 }
 
 

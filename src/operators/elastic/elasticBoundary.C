@@ -5,28 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "elasticBoundary.H"
 #include "asVectors.H"
-
-namespace Foam
-{
-namespace fsbi
-{
-
-//- J F^-T, which turns areas
-inline tensor cofactor(const tensor& F)
-{
-    return det(F)*inv(F).T();
-}
-
-inline tensor cofactorTangent(const tensor& F, const tensor& dF)
-{
-    const tensor inverse(inv(F));
-    const tensor turned(inverse & dF);
-    return det(F)*(tr(turned)*inverse - (turned & inverse)).T();
-}
-
-} // End namespace fsbi
-} // End namespace Foam
-
+#include "cofactor.H"
 
 Foam::fsbi::elasticBoundary::elasticBoundary
 (
@@ -86,7 +65,7 @@ Foam::vector Foam::fsbi::elasticBoundary::followerLoad
     }
     const label b = stencil_.ghostFaces()[ghost];
     const vector A(cofactor(tensor::I + gradient) & S);
-    return mag(A)*given.follower[b] - given.pressure[b]*A;
+    return mag(A)*given.follower[b] + pressureLoad(ghost, given, S, gradient);
 }
 
 
@@ -138,7 +117,8 @@ Foam::vector Foam::fsbi::elasticBoundary::loadTangent
     const vector A(cofactor(F) & S);
     const vector dA(cofactorTangent(F, dGradient) & S);
     return
-        (A & dA)/mag(A)*given.follower[b] - given.pressure[b]*dA;
+        (A & dA)/mag(A)*given.follower[b]
+      + pressureTangent(ghost, given, S, gradient, dGradient);
 }
 
 

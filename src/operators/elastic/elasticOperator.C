@@ -22,7 +22,8 @@ Foam::fsbi::elasticOperator::elasticOperator
     stencil_(mesh, kinds),
     state_(mesh.name(), mesh.nPoints(), material, form, mixed),
     boundary_(stencil_, state_, kinds),
-    jumpHistory_(stencil_.nFaces(), Zero)
+    jumpHistory_(stencil_.nFaces(), Zero),
+    boundaryForce_(stencil_.nGhosts(), Zero)
 {
     setOwnedVertices();
 }
@@ -97,6 +98,14 @@ Foam::scalarList Foam::fsbi::elasticOperator::rowScale
         scale[firstPressure + i] = cbrt(V)/V;
     }
     return scale;
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::fsbi::elasticOperator::boundaryForce() const
+{
+    auto result = tmp<vectorField>::New(boundary_.kinds().size(), Zero);
+    UIndirectList<vector>(result.ref(), stencil_.ghostFaces()) = boundaryForce_;
+    return result;
 }
 
 

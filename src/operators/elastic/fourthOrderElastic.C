@@ -33,8 +33,7 @@ Foam::fsbi::fourthOrderElastic::fourthOrderElastic
         )
     ),
     pointState_(mesh.name(), 0, material, form, mixed),
-    centreState_(mesh.name(), 0, material, form, mixed),
-    boundaryForce_(stencil_.nGhosts(), Zero)
+    centreState_(mesh.name(), 0, material, form, mixed)
 {
     check(form);
     setSurface();
@@ -143,31 +142,22 @@ void Foam::fsbi::fourthOrderElastic::setVertices()
 
 void Foam::fsbi::fourthOrderElastic::setPlaces()
 {
-    const label nInternal = mesh_.nInternalFaces();
-    labelList number(mesh_.nCells());
-    forAll(number, celli)
-    {
-        number[celli] = fits_.toGlobal(celli);
-    }
-    labelList behind;
-    syncTools::swapBoundaryCellList(mesh_, number, behind);
-
+    const vertexCells& cells = fits_.cells();
+    const labelList other(cells.otherSides());
     ownerPlace_.setSize(stencil_.faceVertex().size());
     neighbourPlace_.setSize(ownerPlace_.size());
     for (label i = 0; i < stencil_.nFaces(); ++i)
     {
         const label facei = stencil_.face()[i];
+        const label P = cells.toGlobal(mesh_.faceOwner()[facei]);
         const label ghost = i - stencil_.firstBoundary();
         for (label j = stencil_.faceStart()[i]; j < stencil_.faceStart()[i + 1]; ++j)
         {
             const label v = stencil_.faceVertex()[j];
-            ownerPlace_[j] =
-                fits_.cellPlace(v, number[mesh_.faceOwner()[facei]]);
+            ownerPlace_[j] = fits_.cellPlace(v, P);
             neighbourPlace_[j] =
                 ghost >= 0 ? fits_.facePlace(v, ghost)
-              : facei < nInternal
-              ? fits_.cellPlace(v, number[mesh_.faceNeighbour()[facei]])
-              : fits_.cellPlace(v, behind[facei - nInternal]);
+              : fits_.cellPlace(v, other[facei]);
         }
     }
 }
@@ -199,6 +189,17 @@ void Foam::fsbi::fourthOrderElastic::setPoints()
     }
     points_.transfer(points);
     areas_.transfer(areas);
+
+    offset_ = vectorField(stencil_.nGhosts(), Zero);
+    for (label g = 0; surface_ && g < stencil_.nGhosts(); ++g)
+    {
+        const label b = stencil_.ghostFaces()[g];
+        if (curved_[b])
+        {
+            const label facei = mesh_.nInternalFaces() + b;
+            offset_[g] = surface_->toSurface(facei);
+        }
+    }
 }
 
 
@@ -309,6 +310,10 @@ bool Foam::fsbi::fourthOrderElastic::valid() const
 const Foam::fsbi::constitutiveState*
 Foam::fsbi::fourthOrderElastic::atCentres() const
 {
+    if (centresKnown_)
+    {
+        return &centreState_;
+    }
     const label nCells = mesh_.nCells();
     DynamicList<label> vertices(4*nCells);
     labelList start(nCells + 1, 0);
@@ -329,16 +334,8 @@ Foam::fsbi::fourthOrderElastic::atCentres() const
         now_.slopes.cdata(), centreState_.gradient().begin()
     );
     centreState_.evaluate();
+    centresKnown_ = true;
     return &centreState_;
-}
-
-
-Foam::tmp<Foam::vectorField>
-Foam::fsbi::fourthOrderElastic::boundaryForce() const
-{
-    auto result = tmp<vectorField>::New(boundary_.kinds().size(), Zero);
-    UIndirectList<vector>(result.ref(), stencil_.ghostFaces()) = boundaryForce_;
-    return result;
 }
 
 
@@ -369,6 +366,49 @@ Foam::tmp<Foam::vectorField> Foam::fsbi::fourthOrderElastic::atBoundary
     {
         const scalar* u = values.faces[g].cdata();
         result.ref()[stencil_.ghostFaces()[g]] = vector(u[0], u[1], u[2]);
+    }
+    return result;
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::fsbi::fourthOrderElastic::onSurface
+(
+    const fitted& values
+) const
+{
+    tmp<vectorField> result(atBoundary(values));
+    forAll(stencil_.ghostFaces(), g)
+    {
+        result.ref()[stencil_.ghostFaces()[g]] +=
+            meanGradient(stencil_.firstBoundary() + g, values) & offset_[g];
+    }
+    return result;
+}
+
+
+Foam::tmp<Foam::vectorField>
+Foam::fsbi::fourthOrderElastic::surfaceDisplacement() const
+{
+    return onSurface(now_);
+}
+
+
+Foam::tmp<Foam::vectorField>
+Foam::fsbi::fourthOrderElastic::surfaceIncrement() const
+{
+    return onSurface(along_);
+}
+
+
+Foam::tmp<Foam::pointField>
+Foam::fsbi::fourthOrderElastic::surfacePoints() const
+{
+    tmp<pointField> result(surfaceDisplacement());
+    forAll(stencil_.ghostFaces(), g)
+    {
+        const label b = stencil_.ghostFaces()[g];
+        result.ref()[b] +=
+            mesh_.faceCentres()[mesh_.nInternalFaces() + b] + offset_[g];
     }
     return result;
 }

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fourthOrderElastic.H"
 #include "asVectors.H"
+#include "cofactor.H"
 #include "cubicSlopes.H"
 
 namespace Foam
@@ -36,10 +37,57 @@ Foam::vector Foam::fsbi::fourthOrderElastic::unexplained
 }
 
 
-template<class Stress>
+Foam::tensor Foam::fsbi::fourthOrderElastic::meanGradient
+(
+    const label i, const fitted& values
+) const
+{
+    tensor sum(Zero);
+    for (label p = pointStart_[i]; p < pointStart_[i + 1]; ++p)
+    {
+        sum += values.gradient[p];
+    }
+    return sum/(pointStart_[i + 1] - pointStart_[i]);
+}
+
+
+void Foam::fsbi::fourthOrderElastic::setJumps()
+{
+    jumps_.setSize(stencil_.nFaces());
+    forAll(jumps_, i)
+    {
+        const tensor F(tensor::I + meanGradient(i, now_));
+        const vector n(normalised(stencil_.area()[i]));
+        jumps_[i] = {unexplained(i, now_), F, cofactor(F) & n};
+    }
+}
+
+
+Foam::vector Foam::fsbi::fourthOrderElastic::held(const label i) const
+{
+    const vector& e = jumps_[i].e;
+    const vector& a = jumps_[i].normal;
+    return stabilisation*material_.mu()*e + material_.lambda()*a*(a & e);
+}
+
+
+Foam::vector Foam::fsbi::fourthOrderElastic::heldTangent(const label i) const
+{
+    const vector& e = jumps_[i].e;
+    const vector& a = jumps_[i].normal;
+    const vector de(unexplained(i, along_));
+    const vector n(normalised(stencil_.area()[i]));
+    const vector da(cofactorTangent(jumps_[i].F, meanGradient(i, along_)) & n);
+    return
+        stabilisation*material_.mu()*de
+      + material_.lambda()*(da*(a & e) + a*((da & e) + (a & de)));
+}
+
+
+template<class Stress, class Held>
 void Foam::fsbi::fourthOrderElastic::addFaces
 (
-    const fitted& values, const Stress& stress, vectorField& force, scalar* r
+    const Stress& stress, const Held& held, vectorField& force, scalar* r
 ) const
 {
     const label nCells = mesh_.nCells();
@@ -50,17 +98,7 @@ void Foam::fsbi::fourthOrderElastic::addFaces
         const label P = stencil_.owner()[i];
         const label N = stencil_.neighbour()[i];
         const bool inner = i < firstBoundary;
-        const scalar k = (inner ? 1 : 2)*stencil_.compact()[i];
-        const vector e(unexplained(i, values));
-        const vector n(normalised(stencil_.area()[i]));
-        vector T
-        (
-            k
-           *(
-                stabilisation*material_.mu()*e
-              + material_.lambda()*n*(n & e)
-            )
-        );
+        vector T((inner ? 1 : 2)*stencil_.compact()[i]*held(i));
         for (label p = pointStart_[i]; p < pointStart_[i + 1]; ++p)
         {
             T += stress(p);
@@ -96,6 +134,21 @@ void Foam::fsbi::fourthOrderElastic::forStrips
 
 
 template<class Stress>
+Foam::vector Foam::fsbi::fourthOrderElastic::throughStrips
+(
+    const label ghost, const Stress& stress
+) const
+{
+    vector sum(Zero);
+    forStrips(ghost, [&](const label p, const scalar sign)
+    {
+        sum += sign*stress(p);
+    });
+    return sum;
+}
+
+
+template<class Stress>
 void Foam::fsbi::fourthOrderElastic::addStrips
 (
     const Stress& stress, vectorField& loads
@@ -105,10 +158,7 @@ void Foam::fsbi::fourthOrderElastic::addStrips
     {
         if (boundary_.kindOf(g) == solidBoundary::traction)
         {
-            forStrips(g, [&](const label p, const scalar sign)
-            {
-                loads[g] += sign*stress(p);
-            });
+            loads[g] += throughStrips(g, stress);
         }
     }
 }
@@ -153,30 +203,11 @@ void Foam::fsbi::fourthOrderElastic::addBoundaryRows
 }
 
 
-void Foam::fsbi::fourthOrderElastic::residual
+Foam::vectorField Foam::fsbi::fourthOrderElastic::givenAtGhosts
 (
-    const scalar* x, const solidBoundary& given, scalar* r
-)
+    const solidBoundary& given
+) const
 {
-    std::fill_n(r, size(), scalar(0));
-    given_ = &given;
-    tangentsKnown_ = false;
-    fit(x, now_);
-    forAll(state_.gradient(), v)
-    {
-        const scalar* s = now_.slopes.cdata() + nSlopes*v;
-        state_.gradient()[v] =
-            tensor(s[0], s[4], s[8], s[1], s[5], s[9], s[2], s[6], s[10]);
-    }
-    state_.evaluate();
-    pointState_.gradient() = now_.gradient;
-    pointState_.evaluate();
-    const auto stress = [this](const label p)
-    {
-        return pointState_.stress()[p] & areas_[p];
-    };
-    addFaces(now_, stress, boundaryForce_, r);
-
     vectorField atGhosts(stencil_.nGhosts(), Zero);
     forAll(atGhosts, g)
     {
@@ -205,14 +236,50 @@ void Foam::fsbi::fourthOrderElastic::residual
             });
         }
     }
+    return atGhosts;
+}
+
+
+void Foam::fsbi::fourthOrderElastic::residual
+(
+    const scalar* x, const solidBoundary& given, scalar* r
+)
+{
+    std::fill_n(r, size(), scalar(0));
+    given_ = &given;
+    tangentsKnown_ = false;
+    centresKnown_ = false;
+    fit(x, now_);
+    forAll(state_.gradient(), v)
+    {
+        const scalar* s = now_.slopes.cdata() + nSlopes*v;
+        state_.gradient()[v] =
+            tensor(s[0], s[4], s[8], s[1], s[5], s[9], s[2], s[6], s[10]);
+    }
+    state_.evaluate();
+    pointState_.gradient() = now_.gradient;
+    pointState_.evaluate();
+    const auto stress = [this](const label p)
+    {
+        return pointState_.stress()[p] & areas_[p];
+    };
+    setJumps();
+    addFaces(stress, [this](const label i){ return held(i); }, boundaryForce_, r);
+
+    vectorField atGhosts(givenAtGhosts(given));
     const vectorField loads(atGhosts);
     addStrips(stress, atGhosts);
     addBoundaryRows(now_, boundaryForce_, atGhosts, r);
     forAll(atGhosts, g)
     {
+        // on the surface, not on facets
         if (boundary_.kindOf(g) == solidBoundary::traction)
         {
             boundaryForce_[g] = loads[g];
+        }
+        else
+        {
+            boundaryForce_[g] -= throughStrips(g, stress);
         }
     }
 }
@@ -256,7 +323,8 @@ void Foam::fsbi::fourthOrderElastic::applyJacobian
         return sum;
     };
     vectorField force(stencil_.nGhosts(), Zero);
-    addFaces(along_, stress, force, dr);
+    const auto held = [this](const label i){ return heldTangent(i); };
+    addFaces(stress, held, force, dr);
 
     vectorField atGhosts(stencil_.nGhosts(), Zero);
     forAll(atGhosts, g)

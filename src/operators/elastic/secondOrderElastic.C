@@ -44,7 +44,6 @@ Foam::fsbi::secondOrderElastic::secondOrderElastic
     values_(stencil_.nColumns(), Zero),
     stiffening_(mesh.nPoints(), Zero),
     unexplained_(stencil_.nFaces(), Zero),
-    boundaryForce_(stencil_.nGhosts(), Zero),
     given_(nullptr),
     dValues_(stencil_.nColumns(), Zero),
     dGradient_(mesh.nPoints(), Zero),
@@ -344,17 +343,6 @@ void Foam::fsbi::secondOrderElastic::applyJacobian(const scalar* dx, scalar* dr)
     {
         addPressures(volume, dPressure_, dr);
     }
-}
-
-
-Foam::tmp<Foam::vectorField> Foam::fsbi::secondOrderElastic::boundaryForce() const
-{
-    auto result = tmp<vectorField>::New(boundary_.kinds().size(), Zero);
-    forAll(boundaryForce_, g)
-    {
-        result.ref()[stencil_.ghostFaces()[g]] = boundaryForce_[g];
-    }
-    return result;
 }
 
 

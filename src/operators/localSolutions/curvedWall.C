@@ -194,7 +194,7 @@ void Foam::fsbi::curvedWall::setAround()
 }
 
 
-void Foam::fsbi::curvedWall::bend(const label patchi)
+Foam::vectorField Foam::fsbi::curvedWall::normals(const label patchi)
 {
     const polyPatch& pp = mesh_.boundaryMesh()[patchi];
     const pointField& x = mesh_.points();
@@ -221,11 +221,20 @@ void Foam::fsbi::curvedWall::bend(const label patchi)
         }
     }
     syncTools::syncPointList(mesh_, smooth_, andEqOp<bool>(), true);
+    return normal;
+}
+
+
+void Foam::fsbi::curvedWall::bend
+(
+    const label patchi, const vectorField& normal
+)
+{
     forAll(edges_, i)
     {
         if (edgePatch_[i] == patchi)
         {
-            const vector e(edges_[i].vec(x));
+            const vector e(edges_[i].vec(mesh_.points()));
             const auto lift = [&](const label v)
             {
                 const auto sharp = sharp_.vertices().cfind(v);
@@ -243,24 +252,29 @@ void Foam::fsbi::curvedWall::bend(const label patchi)
 }
 
 
-void Foam::fsbi::curvedWall::moveBack(const label patchi)
+void Foam::fsbi::curvedWall::moveBack
+(
+    const label patchi, const vectorField& normal
+)
 {
-    const auto move = [&](point& x)
-    {
-        x = onSurface_(patchi, x);
-    };
     for (const label v : mesh_.boundaryMesh()[patchi].meshPoints())
     {
         if (vertexNumber_[v] >= 0)
         {
-            move(points_[vertexNumber_[v]]);
+            point& x = points_[vertexNumber_[v]];
+            x = onSurface_(patchi, x, normal[v]);
         }
     }
     forAll(edges_, i)
     {
         if (edgePatch_[i] == patchi)
         {
-            move(points_[vertices_.size() + i]);
+            const edge& e = edges_[i];
+            point& x = points_[vertices_.size() + i];
+            x = onSurface_
+            (
+                patchi, x, normalised(normal[e.start()] + normal[e.end()])
+            );
         }
     }
 }
@@ -285,10 +299,11 @@ void Foam::fsbi::curvedWall::update()
     const label nPatches = mesh_.boundaryMesh().nNonProcessor();
     for (label patchi = 0; patchi < nPatches; ++patchi)
     {
-        bend(patchi);
+        const vectorField normal(normals(patchi));
+        bend(patchi, normal);
         if (onSurface_)
         {
-            moveBack(patchi);
+            moveBack(patchi, normal);
         }
     }
     fill(points_);
@@ -372,6 +387,20 @@ Foam::fsbi::wallStrip Foam::fsbi::curvedWall::strip
     {
         onFacets_[i] + mean/2, (mesh_.points()[b] - mesh_.points()[a]) ^ mean
     };
+}
+
+
+Foam::vector Foam::fsbi::curvedWall::toSurface(const label facei) const
+{
+    // of the quadratic triangle through vertices and middles of edges
+    vector sum(Zero);
+    const face& f = mesh_.faces()[facei];
+    forAll(f, k)
+    {
+        const label i = vertices_.size() + edgeNumber_[f.faceEdge(k)];
+        sum += points_[i] - onFacets_[i];
+    }
+    return 4.0/9*sum;
 }
 
 

@@ -101,37 +101,25 @@ void Foam::fsbi::fourthOrderStokes::check() const
 
 void Foam::fsbi::fourthOrderStokes::setCorners()
 {
-    const label nInternal = mesh_.nInternalFaces();
-    labelList number(mesh_.nCells());
-    forAll(number, celli)
-    {
-        number[celli] = fits_.toGlobal(celli);
-    }
-    labelList behind;
-    syncTools::swapBoundaryCellList(mesh_, number, behind);
-    innerFaces_ = identity(nInternal);
+    const vertexCells& cells = fits_.cells();
+    const labelList other(cells.otherSides());
+    innerFaces_ = identity(mesh_.nInternalFaces());
     for (const label patchi : stencil_.halo().patches())
     {
         const polyPatch& pp = mesh_.boundaryMesh()[patchi];
         innerFaces_.append(identity(pp.size(), pp.start()));
     }
-    boolList inner(mesh_.nFaces(), false);
-    UIndirectList<bool>(inner, innerFaces_) = true;
-
     corners_.setSize(mesh_.nFaces());
     forAll(corners_, facei)
     {
-        const label P = number[mesh_.faceOwner()[facei]];
-        const label N =
-            facei < nInternal
-          ? number[mesh_.faceNeighbour()[facei]]
-          : behind[facei - nInternal];
+        const label P = cells.toGlobal(mesh_.faceOwner()[facei]);
+        const label N = other[facei];
         forAll(corners_[facei], k)
         {
             const label v = mesh_.faces()[facei][k];
             corners_[facei][k] =
             {
-                v, fits_.place(v, P), inner[facei] ? fits_.place(v, N) : -1
+                v, fits_.place(v, P), N >= 0 ? fits_.place(v, N) : -1
             };
         }
     }

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "localSolutionStencil.H"
+#include "cellMoments.H"
 #include "localSolutionGram.H"
 
 namespace Foam
@@ -107,22 +108,16 @@ Foam::label Foam::fsbi::localSolutionStencil::place
 
 void Foam::fsbi::localSolutionStencil::setGeometry()
 {
-    const pointField& x = mesh_.points();
     centres_ = mesh_.cellCentres();
     moments_.setSize(mesh_.nCells());
     forAll(moments_, celli)
     {
-        const labelList& vertices = mesh_.cellPoints()[celli];
-        const FixedList<point, 4> corners
-        ({
-            x[vertices[0]], x[vertices[1]], x[vertices[2]], x[vertices[3]]
-        });
-        moments_[celli] = simplexMoments(corners, centres_[celli]);
+        moments_[celli] = cellShape(mesh_, celli).moments;
     }
     cells_.fill(centres_);
     cells_.fill(moments_);
-    origin_ = x;
-    forAll(x, v)
+    origin_ = mesh_.points();
+    forAll(origin_, v)
     {
         if (wall_.number(v) >= 0)
         {

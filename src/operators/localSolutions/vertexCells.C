@@ -28,29 +28,45 @@ void Foam::fsbi::vertexCells::reset()
 }
 
 
-Foam::labelListList Foam::fsbi::vertexCells::neighbours() const
+Foam::labelList Foam::fsbi::vertexCells::otherSides() const
 {
-    labelListList result(mesh_.nCells());
+    const label nInternal = mesh_.nInternalFaces();
+    labelList result(mesh_.nFaces(), -1);
+    for (label facei = 0; facei < nInternal; ++facei)
+    {
+        result[facei] = number_.toGlobal(mesh_.faceNeighbour()[facei]);
+    }
     labelList behind;
     syncTools::swapBoundaryCellList
     (
         mesh_, identity(mesh_.nCells(), number_.localStart()), behind
     );
-    for (label facei = 0; facei < mesh_.nInternalFaces(); ++facei)
-    {
-        const label P = mesh_.faceOwner()[facei];
-        const label N = mesh_.faceNeighbour()[facei];
-        result[P].append(number_.toGlobal(N));
-        result[N].append(number_.toGlobal(P));
-    }
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        for (label i = 0; pp.coupled() && i < pp.size(); ++i)
+        if (pp.coupled())
         {
-            result[pp.faceCells()[i]].append
-            (
-                behind[pp.start() + i - mesh_.nInternalFaces()]
-            );
+            SubList<label>(result, pp.size(), pp.start()) =
+                SubList<label>(behind, pp.size(), pp.start() - nInternal);
+        }
+    }
+    return result;
+}
+
+
+Foam::labelListList Foam::fsbi::vertexCells::neighbours() const
+{
+    labelListList result(mesh_.nCells());
+    const labelList other(otherSides());
+    forAll(other, facei)
+    {
+        const label P = mesh_.faceOwner()[facei];
+        if (other[facei] >= 0)
+        {
+            result[P].append(other[facei]);
+        }
+        if (facei < mesh_.nInternalFaces())
+        {
+            result[mesh_.faceNeighbour()[facei]].append(number_.toGlobal(P));
         }
     }
     return result;

@@ -154,7 +154,7 @@ void Foam::fsbi::wedgeFits::addFace
                 w*fourNumbers{flow.u.x(), flow.u.y(), flow.u.z(), flow.p};
             sums[k].slope += w*fourNumbers{t.x(), t.y(), t.z(), 0};
             sums[k].moment +=
-                w*(arm ^ (t + (flow.gradient & S) - flow.p*S));
+                w*arm*(t + (flow.gradient & S) - flow.p*S);
         }
     }
     forAll(sums, k)

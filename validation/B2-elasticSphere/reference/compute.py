@@ -37,13 +37,16 @@ def shape(x):
 
 
 def steady():
-    rows, x = [], None
+    rows, x, law = [], None, IncompressibleNeoHookean()
     for Ca in (0.001, 0.005, 0.01, 0.02, 0.03, 0.05, 0.075, 0.1, 0.15, 0.2, 0.25, 0.3,
                0.4, 0.5, 0.6, 0.8, 1):
-        x = ellipsoid.steady(IncompressibleNeoHookean(), Ca, x)
-        rows.append([Ca, *shape(x)[:2]])
-    write("steady.csv", ["Ca", "D_exact", "theta_deg"], rows,
-          "Steady shape, incompressible neo-Hookean")
+        x = ellipsoid.steady(law, Ca, x)
+        a = np.exp(x[:3])
+        rows.append([Ca, *shape(x)[:2],
+                     ellipsoid.stresslet(a, x[3], law.stress(a) / Ca)[0, 1]])
+    write("steady.csv", ["Ca", "D_exact", "theta_deg", "stresslet_xy"], rows,
+          "Steady shape, incompressible neo-Hookean; stresslet over viscosity, shear "
+          "rate and radius^3")
 
 
 def start_up():

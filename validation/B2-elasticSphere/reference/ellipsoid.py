@@ -75,6 +75,15 @@ def balance(a, theta, stress, nodes=NODES):
     return ambient + gradient, normal[3], pressure, S
 
 
+def stresslet(a, theta, stress):
+    """In the axes of the flow, over viscosity, shear rate and radius^3: forces S n on
+    the surface of a fluid everywhere make the same flow."""
+    S = balance(a, theta, stress)[3]
+    c, s = np.cos(theta), np.sin(theta)
+    R = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+    return -4 / 3 * np.pi * np.prod(a) * R @ S @ R.T
+
+
 class StVenantKirchhoff:
     compressible = True
 

@@ -3,17 +3,17 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "inertialPressure.H"
+#include "draggedPressure.H"
 #include "compactLaplacian.H"
 #include "mathematicalConstants.H"
 
-Foam::fsbi::inertialPressure::inertialPressure
+Foam::fsbi::draggedPressure::draggedPressure
 (
-    const momentumEquation& momentum
+    const stokesOperator& stokes, const scalarField& drag
 )
 :
-    stokes_(momentum.viscous()),
-    work_(momentum.massRate().size())
+    stokes_(stokes),
+    work_(drag.size())
 {
     const fvMesh& mesh = stokes_.stencil().mesh();
     const scalarField& V = mesh.cellVolumes();
@@ -22,7 +22,7 @@ Foam::fsbi::inertialPressure::inertialPressure
     const scalar slowest = sqr(constant::mathematical::pi/mag(mesh.bounds().span()));
     // where terms leave cells without a rate, viscosity alone counts, which has
     // one on every scale
-    const scalarField rate(max(momentum.massRate()/V, stokes_.mu()*slowest));
+    const scalarField rate(max(drag, stokes_.mu()*slowest));
     const scalarField D(V/scalarField(stokes_.diagonal()));
     const scalar least = stokes_.closed() ? slowest : 0;
     compactEntries entries;
@@ -52,7 +52,7 @@ Foam::fsbi::inertialPressure::inertialPressure
 }
 
 
-void Foam::fsbi::inertialPressure::addOpenPatches
+void Foam::fsbi::draggedPressure::addOpenPatches
 (
     const scalarField& coefficient,
     const globalIndex& rows,
@@ -81,7 +81,7 @@ void Foam::fsbi::inertialPressure::addOpenPatches
 }
 
 
-void Foam::fsbi::inertialPressure::apply(scalarList& pressure) const
+void Foam::fsbi::draggedPressure::apply(scalarList& pressure) const
 {
     const scalarField& V = stokes_.stencil().mesh().cellVolumes();
     const scalar mu = stokes_.mu();

@@ -1,0 +1,211 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "refining.H"
+#include "gapRefinement.H"
+#include "redGreen.H"
+#include "surfaceDistance.H"
+#include "unitConversion.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+static const scalar gapSag = 0.05;
+
+//- Smallest angle of a triangulation, degrees
+static scalar smallestAngle(const bodySurface& s)
+{
+    scalar cosine = 0;
+    for (const triFace& t : s.triangles())
+    {
+        for (label i = 0; i < 3; ++i)
+        {
+            const point& x = s.points()[t[i]];
+            const vector a(normalised(s.points()[t[(i + 1) % 3]] - x));
+            const vector b(normalised(s.points()[t[(i + 2) % 3]] - x));
+            cosine = max(cosine, a & b);
+        }
+    }
+    return radToDeg(Foam::acos(cosine));
+}
+
+
+static void checkRedGreen(checks& c)
+{
+    const bodySurface coarse(shape("type sphere; radius 1;", 0.4));
+    const auto project = [](const point& p) { return p/mag(p); };
+    pointField points(coarse.points());
+    for (point& p : points)
+    {
+        p = project(p);
+    }
+    redGreen fine(points, coarse.triangles(), project);
+    label before = 0;
+    for (label cuts = 0; cuts < 5; ++cuts)
+    {
+        // around a pole, ever narrower
+        before = fine.triangles().size();
+        boolList marked(before, false);
+        forAll(marked, i)
+        {
+            const point centre(fine.triangles()[i].centre(fine.points()));
+            marked[i] = mag(centre - vector(0, 0, 1)) < Foam::pow(0.5, cuts);
+        }
+        fine.split(marked);
+    }
+    const bodySurface surface(pointField(fine.points()), fine.conforming());
+    const outcome solid(surface.solid("refined"));
+    c.check("refined locally: encloses a solid", solid.ok, solid.reason);
+    scalar off = 0;
+    for (const point& p : surface.points())
+    {
+        off = max(off, mag(mag(p) - 1));
+    }
+    c.checkBelow("refined locally: points are on the shape", off, 1e-14);
+    // bound: reds are similar to the first triangles, 47 degrees and more, but
+    // for the shape's curvature; a green halves one angle
+    c.check
+    (
+        "refined locally: no thin triangles", smallestAngle(surface) > 20,
+        Foam::name(smallestAngle(surface))
+    );
+    // bound: a hundredth of what five cuts of all of them would give
+    c.check
+    (
+        "refined locally: nowhere else",
+        surface.triangles().size() < 10*coarse.triangles().size(),
+        Foam::name(surface.triangles().size())
+    );
+}
+
+
+//- Two unit spheres with a gap, and the walls of a box far away or near
+struct gapScene
+{
+    List<bodySurface> bodies;
+    List<toShape> shapes;
+    surfaceDistance walls;
+
+    static bodySurface far()
+    {
+        return shape("type sphere; radius 20;", 4);
+    }
+
+    gapScene(const scalar gap, const bool secondHasShape)
+    :
+        bodies(2),
+        shapes(2),
+        walls(far().points(), far().triangles())
+    {
+        const bodySurface sphere(shape("type sphere; radius 1;", 0.3));
+        forAll(bodies, b)
+        {
+            const point centre(0, 0, (b ? 1 : -1)*(1 + gap/2));
+            bodies[b] = sphere.transformed(tensor::I, centre);
+            if (!b || secondHasShape)
+            {
+                shapes[b] = [centre](const point& p)
+                {
+                    return centre + normalised(p - centre);
+                };
+            }
+        }
+    }
+
+    List<bodySurface> refined() const
+    {
+        return refinedInGaps(bodies, shapes, walls, gapSag);
+    }
+};
+
+
+//- Of the points whose heights over the gap's middle are below twice the gap:
+//  the longest edge over the gap there, and how far they are off the sphere
+static void inGap
+(
+    const bodySurface& s, const scalar gap, scalar& edge, scalar& off
+)
+{
+    edge = off = 0;
+    const point centre(0, 0, -1 - gap/2);
+    for (const triFace& t : s.triangles())
+    {
+        for (label i = 0; i < 3; ++i)
+        {
+            const point& a = s.points()[t[i]];
+            const point& b = s.points()[t[(i + 1) % 3]];
+            const scalar width = -2*max(a.z(), b.z());
+            if (width < 2*gap)
+            {
+                edge = max(edge, mag(a - b)/width);
+                off = max(off, mag(mag(a - centre) - 1)/width);
+            }
+        }
+    }
+}
+
+
+static void checkGapsOfSpheres(checks& c)
+{
+    for (const scalar gap : {0.1, 0.01, 0.001})
+    {
+        const word name("gap " + Foam::name(gap));
+        const gapScene s(gap, true);
+        const List<bodySurface> fine(s.refined());
+        scalar edge, off;
+        inGap(fine[0], gap, edge, off);
+        // bound: what the refinement is to do: edges of three gaps at most, but
+        // for the middle of one, which may be a gap wider
+        c.check(name + ": short edges", edge > 0 && edge < 4, Foam::name(edge));
+        // bound: volumes move points by h^2/12 of the edges h at most, a gap's
+        // sag is h^2/4 between two spheres, and 0.05 of it by gapSag
+        c.checkBelow(name + ": it is that of the spheres", off, gapSag);
+        const outcome solid(fine[0].solid("body"));
+        c.check(name + ": encloses a solid", solid.ok, solid.reason);
+        scalar moved = 0;
+        forAll(s.bodies[0].points(), p)
+        {
+            const point& x = s.bodies[0].points()[p];
+            if (x.z() < -1)
+            {
+                moved = max(moved, mag(x - fine[0].points()[p]));
+            }
+        }
+        c.checkBelow(name + ": nothing on the other side", moved, 1e-12);
+        c.check
+        (
+            name + ": both bodies",
+            fine[0].triangles().size() == fine[1].triangles().size()
+        );
+    }
+}
+
+
+void checkRefining(checks& c)
+{
+    checkRedGreen(c);
+    checkGapsOfSpheres(c);
+    const gapScene wide(1, true);
+    const List<bodySurface> same(wide.refined());
+    c.check
+    (
+        "a wide gap: the body's own triangles, to the last bit",
+        same[0].points() == wide.bodies[0].points()
+     && same[0].triangles() == wide.bodies[0].triangles()
+    );
+    const gapScene one(0.01, false);
+    const List<bodySurface> half(one.refined());
+    c.check
+    (
+        "a body whose shape is not known: nothing is cut for it",
+        half[1].triangles() == one.bodies[1].triangles()
+     && half[0].triangles() == one.bodies[0].triangles()
+    );
+}
+
+} // End namespace fsbi
+} // End namespace Foam

@@ -1,0 +1,216 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "gapRefinement.H"
+#include "redGreen.H"
+#include "sizeField.H"
+#include "surfaceDistance.H"
+#include "PtrList.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Edges are looked at where the gap is at most as wide as this many of them
+static const scalar reachOfEdges = 1.5;
+
+//- Longest edges over the gap: cells across it would be too flat
+static const scalar longestInGap = 3;
+
+//- Times that a triangle can be cut: 1/256 of the edges
+static const label mostCuts = 8;
+
+
+class bodyInGap
+{
+    const bodySurface& base_;
+    const toShape& shape_;
+    autoPtr<redGreen> fine_;
+    bool refined_;
+
+public:
+
+    bodyInGap(const bodySurface& base, const toShape& shape)
+    :
+        base_(base),
+        shape_(shape),
+        refined_(false)
+    {
+        if (shape)
+        {
+            pointField points(base.points());
+            for (point& p : points)
+            {
+                p = shape(p);
+            }
+            fine_.reset(new redGreen(points, base.triangles(), shape));
+        }
+    }
+
+    //- Of the shape
+    surfaceDistance* distance() const
+    {
+        return new surfaceDistance
+        (
+            pointField(fine_->points()), fine_->conforming()
+        );
+    }
+
+    //- Does any triangle change by this? gap: true and the distance, unless
+    //  further than the reach
+    bool refine
+    (
+        const std::function
+        <
+            bool(const point& p, const scalar reach, scalar& distance)
+        >& gap,
+        const scalar gapSag
+    )
+    {
+        if (!fine_)
+        {
+            return false;
+        }
+        const auto sags = [&](const label a, const label b)
+        {
+            const point& x = fine_->points()[a];
+            const point& y = fine_->points()[b];
+            const scalar reach = reachOfEdges*mag(x - y);
+            scalar atX, atY, between;
+            return
+                gap(x, reach, atX) && gap(y, reach, atY)
+             && gap(shape_(0.5*(x + y)), reach, between)
+             && (
+                    mag(between - 0.5*(atX + atY)) > gapSag*between
+                 || mag(x - y) > longestInGap*between
+                );
+        };
+        boolList marked(fine_->triangles().size(), false);
+        bool any = false;
+        forAll(marked, i)
+        {
+            const triFace& t = fine_->triangles()[i];
+            marked[i] = sags(t[0], t[1]) || sags(t[1], t[2]) || sags(t[2], t[0]);
+            any = any || marked[i];
+        }
+        if (any)
+        {
+            fine_->split(marked);
+            refined_ = true;
+        }
+        return any;
+    }
+
+    bodySurface surface() const
+    {
+        return refined_ ? withVolume() : base_;
+    }
+
+private:
+
+    //- Points out of the shape as far as is right for their edges
+    bodySurface withVolume() const
+    {
+        pointField points(fine_->points());
+        const List<triFace> triangles(fine_->conforming());
+        const scalarField edges(sizeField::pointSizes({points, triangles}));
+        vectorField out(base_.points());
+        const label nBase = out.size();
+        const pointField basePoints(SubList<point>(points, nBase));
+        scalarField baseEdges
+        (
+            sizeField::pointSizes({basePoints, base_.triangles()})
+        );
+        baseEdges.resize(points.size());
+        out.resize(points.size());
+        forAll(points, p)
+        {
+            const edge& parents = fine_->parents()[p];
+            if (p < nBase)
+            {
+                out[p] -= points[p];
+            }
+            else
+            {
+                out[p] = 0.5*(out[parents[0]] + out[parents[1]]);
+                baseEdges[p] =
+                    0.5*(baseEdges[parents[0]] + baseEdges[parents[1]]);
+            }
+            points[p] += min(sqr(edges[p]/baseEdges[p]), 1)*out[p];
+        }
+        return bodySurface(points, triangles);
+    }
+};
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::scalar Foam::fsbi::narrowestGap(const scalar edge)
+{
+    return edge/(1 << mostCuts)/longestInGap;
+}
+
+
+Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::refinedInGaps
+(
+    const UList<bodySurface>& bodies,
+    const UList<toShape>& shapes,
+    const surfaceDistance& walls,
+    const scalar gapSag
+)
+{
+    PtrList<bodyInGap> fine(bodies.size());
+    forAll(bodies, b)
+    {
+        fine.set(b, new bodyInGap(bodies[b], shapes[b]));
+    }
+    bool again = gapSag > 0;
+    for (label cuts = 0; again && cuts < mostCuts; ++cuts)
+    {
+        PtrList<surfaceDistance> distances(bodies.size());
+        forAll(fine, b)
+        {
+            if (shapes[b])
+            {
+                distances.set(b, fine[b].distance());
+            }
+        }
+        again = false;
+        forAll(fine, b)
+        {
+            const auto gap = [&](const point& p, const scalar reach, scalar& d)
+            {
+                label triangle;
+                bool near = walls.find(p, reach, d, triangle);
+                forAll(distances, other)
+                {
+                    scalar there;
+                    if
+                    (
+                        other != b && distances.set(other)
+                     && distances[other].find
+                        (
+                            p, near ? d : reach, there, triangle
+                        )
+                    )
+                    {
+                        d = there;
+                        near = true;
+                    }
+                }
+                return near;
+            };
+            again = fine[b].refine(gap, gapSag) || again;
+        }
+    }
+    List<bodySurface> surfaces(bodies.size());
+    forAll(fine, b)
+    {
+        surfaces[b] = fine[b].surface();
+    }
+    return surfaces;
+}
