@@ -220,6 +220,19 @@ Foam::fsbi::bodySurface Foam::fsbi::rigidBody::placedSurface() const
 }
 
 
+Foam::fsbi::bodySurface Foam::fsbi::rigidBody::meshedSurface() const
+{
+    const placement p(meshedPlacement());
+    return surface_.transformed(p.orientation.R(), p.centre);
+}
+
+
+Foam::fsbi::placement Foam::fsbi::rigidBody::meshedPlacement() const
+{
+    return {now_.centre, shape_->round() ? quaternion::I : now_.orientation};
+}
+
+
 bool Foam::fsbi::rigidBody::hasShape() const
 {
     return shape_->projects();
@@ -228,7 +241,7 @@ bool Foam::fsbi::rigidBody::hasShape() const
 
 Foam::point Foam::fsbi::rigidBody::onShape(const point& p) const
 {
-    const tensor R(rotation());
+    const tensor R(meshedPlacement().orientation.R());
     const point inShape((R.T() & (p - now_.centre)) + shapeCentre_);
     return now_.centre + (R & (shape_->project(inShape) - shapeCentre_));
 }

@@ -21,7 +21,7 @@ const Foam::scalar widest = 3;
 Foam::scalar Foam::fsbi::cellsIn
 (
     const boundBox& box,
-    const UList<bodySurface>& bodies,
+    const UList<extent>& bodies,
     const std::function<scalar(const point&)>& size,
     const std::function<bool(const point&)>& counts,
     const scalar most
@@ -31,10 +31,9 @@ Foam::scalar Foam::fsbi::cellsIn
     const scalar h = size(centre);
     scalar width = cmptMax(box.span())/widest;
     bool halve = width > h;
-    for (const bodySurface& body : bodies)
+    for (const extent& body : bodies)
     {
-        halve = halve
-         || (width > body.meanEdge() && box.overlaps(body.bounds()));
+        halve = halve || (width > body.edge && box.overlaps(body.box));
     }
     if (!halve)
     {

@@ -329,11 +329,19 @@ Foam::scalar Foam::fsbi::conformalMesher::reportCells
     const sizeField& size
 ) const
 {
+    List<extent> extents(bodies.size());
+    PtrList<surfaceDistance> surfaces(bodies.size());
+    forAll(bodies, b)
+    {
+        const bodySurface& body = bodies[b];
+        extents[b] = {body.bounds(), max(sizeField::pointSizes(body))};
+        surfaces.set(b, new surfaceDistance(body.points(), body.triangles()));
+    }
     const auto inFluid = [&](const point& p)
     {
-        for (const bodySurface& body : bodies)
+        for (const surfaceDistance& surface : surfaces)
         {
-            if (body.bounds().contains(p) && body.winding(p) > 0.5)
+            if (surface.contains(p))
             {
                 return false;
             }
@@ -342,7 +350,7 @@ Foam::scalar Foam::fsbi::conformalMesher::reportCells
     };
     const scalar cells = cellsIn
     (
-        walls.bounds(), bodies, std::cref(size), inFluid, controls_.maxCells
+        walls.bounds(), extents, std::cref(size), inFluid, controls_.maxCells
     );
     if (cells > 1.5*cellsTold_ && cells <= controls_.maxCells)
     {

@@ -26,7 +26,7 @@ Foam::fsbi::remeshControls::remeshControls(const dictionary& dict)
     farSize = orNoted("farSize", "that of blockMesh's cells");
     minSize = orNoted("minSize", "0.4 of the bodies' finest mean edge");
     cellsPerGap = entries.positive("cellsPerGap", 3);
-    gapSag = entries.getOrDefault<scalar>("gapSag", 0.05);
+    gapSag = entries.getOrDefault<scalar>("gapSag", 0.025);
     if (gapSag < 0)
     {
         FatalIOErrorInFunction(dict)

@@ -119,7 +119,7 @@ Foam::List<Foam::fsbi::placement> Foam::fsbi::fluidMotion::placementsNow() const
     List<placement> result(bodies_.size());
     forAll(bodies_, b)
     {
-        result[b] = bodies_[b].placed();
+        result[b] = bodies_[b].meshedPlacement();
     }
     return result;
 }
@@ -171,7 +171,7 @@ Foam::fsbi::bodySurface Foam::fsbi::fluidMotion::surface
         return bodies_[bodyi].meshedSurface();
     }
     const placement& then = placements_[bodyi];
-    const placement now(bodies_[bodyi].placed());
+    const placement now(bodies_[bodyi].meshedPlacement());
     const tensor R(now.orientation.R() & then.orientation.R().T());
     return surfaces_[bodyi].transformed(R, now.centre - (R & then.centre));
 }

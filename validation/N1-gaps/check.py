@@ -11,18 +11,17 @@ import numpy as np
 from bispherical import mirror, wall
 
 from fsbi import plots
-from fsbi.case import Case
+from fsbi.case import Case, reference
 from fsbi.results import Results
 
 RADIUS, SPEED = 4, 1e-3                 # speed: of the centre or of the surface
 STOKES = 6 * np.pi * RADIUS * SPEED
-TABLE = np.genfromtxt("reference.csv", delimiter=",", names=True)
 
 
 def tabulated(column):
     """Of reference.csv, at its own gaps only."""
-    table = dict(zip(TABLE["gap"], TABLE[column]))
-    return table.__getitem__
+    return lambda gap: next(row[column] for row in reference("reference.csv")
+                            if row["gap"] == gap)
 
 
 class Kind(NamedTuple):
@@ -42,31 +41,31 @@ KINDS = {
 results = Results("N1")
 
 
-def error_of(kind, gap, run):
-    """nan of a run that has not converged."""
+def finished(folder):
+    """None if its first step has not converged."""
     try:
-        return abs(kind.measure(run)) / kind.exact(gap) - 1
-    except (OSError, KeyError, IndexError):
-        return np.nan
+        return Case(folder)
+    except (OSError, KeyError, ValueError):
+        return None
 
 
 def rows(kind, order):
     """(gap in radii, error, run), wide to narrow."""
-    found = [(float(match[1]), Case(f"runs/{name}")) for name in os.listdir("runs")
+    found = [(float(match[1]), finished(f"runs/{name}")) for name in os.listdir("runs")
              if (match := re.fullmatch(f"{kind}_(.*)_order{order}", name))]
-    return [(gap, error_of(KINDS[kind], gap, run), run)
+    part = KINDS[kind]
+    return [(gap, abs(part.measure(run)) / part.exact(gap) - 1 if run else np.nan, run)
             for gap, run in sorted(found, key=lambda row: -row[0])]
 
 
 def add(kind, order, gap, error, run):
-    quantity = f"{'torque' if kind == 'turn' else 'force'}_{kind}"
-    variant = f"gap {gap:g}, order {order}"
+    cost = dict(seconds=run.seconds, cells=run.cells) if run else {}
     # bound: the project's goal: 2 %
-    if np.isnan(error):
-        results.add(quantity, np.nan, 1, 0.02, variant=variant)
+    results.add(f"{'torque' if kind == 'turn' else 'force'}_{kind}", 1 + error, 1, 0.02,
+                variant=f"gap {gap:g}, order {order}", **cost)
+    if not run:
+        print(f"    {kind:5} {gap:6g} radii, order {order}: not converged")
         return
-    results.add(quantity, 1 + error, 1, 0.02, seconds=run.seconds, cells=run.cells,
-                variant=variant)
     print(f"    {kind:5} {gap:6g} radii, order {order}: {100 * error:8.3f} %, {run.cells:7d} "
           f"cells, {run.iterations[0]:3.0f} iterations, {run.seconds:5.1f} s")
 

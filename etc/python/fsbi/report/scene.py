@@ -12,8 +12,7 @@ import os
 
 import numpy as np
 import vtk
-from scipy.spatial import cKDTree
-from vtk.util.numpy_support import vtk_to_numpy
+from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 
 from .. import vtk_files
 from .run import thinned
@@ -45,6 +44,21 @@ class Surface:
         made = cls.__new__(cls)
         made.points, made.faces = points, faces
         return made
+
+    def distances(self, points):
+        """Of points from the surface; its triangles may be others than theirs."""
+        made = vtk.vtkPolyData()
+        made.SetPoints(vtk.vtkPoints())
+        made.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(self.points), deep=True))
+        triangles = vtk.vtkCellArray()
+        triangles.SetData(3, numpy_to_vtkIdTypeArray(
+            np.ascontiguousarray(self.faces, np.int64).ravel(), deep=True))
+        made.SetPolys(triangles)
+        surface = vtk.vtkImplicitPolyDataDistance()
+        surface.SetInput(made)
+        found = vtk.vtkDoubleArray()
+        surface.EvaluateFunction(numpy_to_vtk(np.ascontiguousarray(points), deep=True), found)
+        return abs(vtk_to_numpy(found))
 
     def radius(self):
         return np.linalg.norm(self.points - self.points.mean(axis=0), axis=1).max()
@@ -136,11 +150,10 @@ def _kept_shape(run, name, times, surfaces):
             return None
         local = [(surfaces[k].points - motion[rows[k], 1:4]) @ _rotation(motion[rows[k], 4:])
                  for k in known]
-        last = surfaces[known[-1]]
         # the last one is farthest from a sudden start
-        tree = cKDTree(local[-1])
-        if all(tree.query(points)[0].max() <= SAME * last.radius() for points in local):
-            return Surface.of(local[-1], last.faces), motion
+        last = Surface.of(local[-1], surfaces[known[-1]].faces)
+        if all(last.distances(points).max() <= SAME * last.radius() for points in local):
+            return last, motion
     return None
 
 
