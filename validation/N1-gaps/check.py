@@ -8,9 +8,9 @@ import sys
 from typing import Callable, NamedTuple
 
 import numpy as np
-from bispherical import mirror, wall
 
 from fsbi import plots
+from fsbi.bispherical import mirror, wall
 from fsbi.case import Case, reference
 from fsbi.results import Results
 
