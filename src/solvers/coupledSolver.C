@@ -5,6 +5,19 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "coupledSolver.H"
 
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Residual over the tolerance above which a guess from previous solutions costs
+//  less than the iterations that it saves
+static const scalar worthwhile = 10;
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
 Foam::fsbi::coupledSolver::coupledSolver
 (
     const momentumEquation& momentum, const dictionary& dict
@@ -62,11 +75,29 @@ Foam::scalar Foam::fsbi::coupledSolver::evaluate(const scalarList& x)
 }
 
 
+Foam::scalar Foam::fsbi::coupledSolver::startFromPrevious
+(
+    scalarList& x, const scalar norm
+)
+{
+    if (!system_->linear() || !(norm > worthwhile*tolerance_*scale_))
+    {
+        return norm;
+    }
+    const auto apply = [this](const scalar* dx, scalar* dr)
+    {
+        system_->applyJacobian(dx, dr);
+    };
+    previous_.improve(apply, x, rows_);
+    return evaluate(x);
+}
+
+
 Foam::fsbi::solverReport Foam::fsbi::coupledSolver::improve(scalarList& x)
 {
     solverReport report;
     report.corrections = 0;
-    const scalar norm = evaluate(x);
+    const scalar norm = startFromPrevious(x, evaluate(x));
     report.residual = norm/max(scale_, VSMALL);
     report.converged = report.residual <= tolerance_;
     if (report.converged || !std::isfinite(report.residual))
@@ -125,6 +156,10 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
         }
     }
     const solverReport report(improve(x));
+    if (system_->linear())
+    {
+        previous_.add(x);
+    }
     traction = system_->traction();
     system_->unpack(x, cells);
     return report;

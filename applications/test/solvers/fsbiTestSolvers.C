@@ -13,6 +13,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "petscObjects.H"
+#include "previousSolutions.H"
 #include "strainedSphere.H"
 #include "checks.H"
 #include "testMeshes.H"
@@ -294,6 +295,88 @@ static void checkSpin(checks& c)
 }
 
 
+//- Guesses from previous solutions, of a system whose right-hand side goes along
+//  a parabola: three solutions span it
+static void checkPrevious(checks& c)
+{
+    const label n = 6;
+    const auto multiply = [](const scalar* x, scalar* y)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            y[i] = (3 + i)*x[i] - x[(i + 1) % n] + 0.5*x[(i + 4) % n];
+        }
+    };
+    const auto solution = [](const scalar t)
+    {
+        scalarList x(n);
+        forAll(x, i)
+        {
+            x[i] = Foam::sin(1.0 + i) + t*Foam::cos(3.0*i) + sqr(t)*(i - 2);
+        }
+        return x;
+    };
+    // residual of x, beside that of the guess, for the right-hand side at t
+    const auto improved = [&](const previousSolutions& previous, const scalar t)
+    {
+        const auto norm = [&](const scalarList& x, scalarList& r)
+        {
+            scalarList b(n);
+            multiply(solution(t).cdata(), b.begin());
+            multiply(x.cdata(), r.begin());
+            scalar sum = 0;
+            forAll(r, i)
+            {
+                r[i] -= b[i];
+                sum += sqr(r[i]);
+            }
+            return Foam::sqrt(sum);
+        };
+        scalarList x(solution(0.3)), r(n);
+        const scalar before = norm(x, r);
+        previous.improve(multiply, x, r);
+        return norm(x, r)/before;
+    };
+    previousSolutions previous;
+    c.checkClose("previous solutions: none", improved(previous, 0.5), 1, 1e-14);
+    previous.add(solution(0));
+    previous.add(solution(0.1));
+    const scalar two = improved(previous, 0.5);
+    c.check
+    (
+        "previous solutions: two and the last one leave nothing of a parabola",
+        two < 1e-12, name(two)
+    );
+    previousSolutions same;
+    same.add(solution(0.3));
+    same.add(solution(0.3));
+    c.checkClose("previous solutions: all alike", improved(same, 0.5), 1, 1e-12);
+    // one: what is left of a residual r along a line is its part at right angles
+    previousSolutions line;
+    line.add(solution(0));
+    scalarList d(solution(0)), e(solution(0.5)), Ad(n), r(n);
+    forAll(d, i)
+    {
+        d[i] -= solution(0.3)[i];
+        e[i] -= solution(0.3)[i];
+    }
+    multiply(d.cdata(), Ad.begin());
+    multiply(e.cdata(), r.begin());
+    scalar along = 0, lengths = 0, size = 0;
+    forAll(r, i)
+    {
+        along += r[i]*Ad[i];
+        lengths += sqr(Ad[i]);
+        size += sqr(r[i]);
+    }
+    c.checkClose
+    (
+        "previous solutions: one", improved(line, 0.5),
+        Foam::sqrt(1 - sqr(along)/(lengths*size)), 1e-12
+    );
+}
+
+
 static void checkUnits(checks& c)
 {
     const testMeshes room(wide);
@@ -337,5 +420,6 @@ int main(int argc, char *argv[])
     checkStresslet(c);
     checkSpin(c);
     checkUnits(c);
+    checkPrevious(c);
     return c.finish();
 }
