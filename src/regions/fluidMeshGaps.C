@@ -152,15 +152,14 @@ Foam::string Foam::fsbi::fluidMesh::bodyThatLeaves(const scalar gap) const
         (
             inverseDistanceMotion::domainBoundary(mesh(), others)
         );
-        const surfaceDistance surface(open.points(), open.triangles());
+        const triangleTree surface(open);
         for (const immersedBody& body : bodies_)
         {
             const bodySurface meshed(body.meshedSurface());
             for (const point& p : meshed.points())
             {
                 scalar distance;
-                label triangle;
-                if (surface.find(p, 1.01*gap + SMALL, distance, triangle))
+                if (surface.find(p, 1.01*gap + SMALL, distance))
                 {
                     return
                         " (body '" + body.name() + "' has come to the patch '"
@@ -198,7 +197,7 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap() const
 
 Foam::scalar Foam::fsbi::fluidMesh::smallestGap
 (
-    const autoPtr<surfaceDistance>& walls
+    const autoPtr<triangleTree>& walls
 ) const
 {
     const vector moved(shift() - referenceShift_);
@@ -208,13 +207,12 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap
         return motion_ ? motion_->surface(b) : bodies_[b].meshedSurface();
     };
     const auto approach =
-        [&](const surfaceDistance& surface, const pointField& x, const vector& by)
+        [&](const triangleTree& surface, const pointField& x, const vector& by)
         {
-            label triangle;
             for (const point& p : x)
             {
                 scalar distance;
-                if (surface.find(p - by, gap, distance, triangle))
+                if (surface.find(p - by, gap, distance))
                 {
                     gap = min(gap, distance);
                 }
@@ -229,7 +227,7 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap
         }
         if (bodies_.size() > 1)
         {
-            const surfaceDistance tree(surface.points(), surface.triangles());
+            const triangleTree tree(surface);
             for (label other = 0; other < b; ++other)
             {
                 approach
