@@ -60,11 +60,9 @@ void Foam::fsbi::inverseDistanceMotion::distances
     const point& p, const scalar step, const scalar touching, scalarField& d
 )
 {
-    // the surface that was nearest probably is, and not further than it can be by
-    // the step: that, or bounding boxes where nothing is known, spares most of the
-    // search
+    // no surface is further than it was by more than the step: that, or bounding
+    // boxes where nothing is known, spares most of the search
     label guess = findMin(d);
-    scalar reach = (1 + SMALL)*(d[guess] + step);
     if (d[guess] == GREAT)
     {
         scalarField least(d.size());
@@ -73,16 +71,20 @@ void Foam::fsbi::inverseDistanceMotion::distances
             least[i] = surfaces[i].atLeast(p);
         }
         guess = findMin(least);
-        reach = ROOTVGREAT;
     }
-    surfaces[guess].find(p, reach + touching, d[guess]);
+    const auto find = [&](const label i, const scalar reach)
+    {
+        const scalar farthest = (1 + SMALL)*(d[i] + step) + touching;
+        d[i] = GREAT;
+        surfaces[i].find(p, min(reach, farthest), d[i]);
+    };
+    find(guess, ROOTVGREAT);
     scalar nearest = d[guess];
     forAll(d, i)
     {
         if (i != guess)
         {
-            d[i] = GREAT;
-            surfaces[i].find(p, furthest*nearest + touching, d[i]);
+            find(i, furthest*nearest + touching);
             nearest = min(nearest, d[i]);
         }
     }

@@ -13,10 +13,13 @@ namespace fsbi
 {
 
 //- Degrees below the limit at which repair aims, and that it must reach
-static const scalar aim = 10, spare = 5;
+static const scalar aim = 15, spare = 5;
 
 //- Degrees beyond which faces are swept: what holds the mean
 static const scalar sweepFrom = 35;
+
+//- Sweeps, until the mean is what it was
+static const label mostSweeps = 3;
 
 //- Degrees below which repair is no longer local
 static const scalar lowest = 50;
@@ -30,17 +33,12 @@ static const scalar sizeFactor = 1.5;
 //- Edges that gmsh makes, over those that it is asked for
 static const scalar gmshEdge = 1.2;
 
-//- One point in as many is looked at
-static const label sampleEvery = 16;
+//- About as many points are looked at
+static const label sample = 2000;
 
 //- Part of the points that may have other sizes
 static const scalar fewPoints = 0.02;
 
-
-static bool sampled(const label pointi)
-{
-    return pointi % sampleEvery == 0;
-}
 
 } // End namespace fsbi
 } // End namespace Foam
@@ -53,6 +51,8 @@ Foam::scalar Foam::fsbi::missized
     const meshLists& mesh, const sizeFunction& size
 )
 {
+    const label every = max(mesh.points.size()/sample, 1);
+    const auto sampled = [every](const label p) { return p % every == 0; };
     scalarField length(mesh.points.size(), Zero);
     labelList n(mesh.points.size(), Zero);
     for (const face& f : mesh.faces)
@@ -132,15 +132,23 @@ Foam::fsbi::outcome Foam::fsbi::heal
     meshLists& mesh,
     const remeshControls& limits,
     const freshMesh& fresh,
-    const sizeFunction& size
+    const sizeFunction& size,
+    const wordList& bodies
 )
 {
-    meshRepair repair(mesh);
+    meshRepair repair(mesh, bodies);
     if (!repair.possible())
     {
         return outcome::failed("not all cells are tetrahedra");
     }
-    repair.sweep(sweepFrom);
+    for (label k = 0; k < mostSweeps; ++k)
+    {
+        repair.sweep(sweepFrom);
+        if (repair.meanNonOrthogonality() < fresh.mean + drift/2)
+        {
+            break;
+        }
+    }
     repair.run(max(limits.maxNonOrthogonality - aim, lowest));
     repair.putInto(mesh);
 

@@ -25,6 +25,9 @@ static const label longestRing = 7;
 //- Part of the badness that a change must take away
 static const scalar worthwhile = 0.02;
 
+//- Normals of a plane differ by no more
+static const scalar samePlane = 1e-6;
+
 //- What is better by less is so by round-off
 static const scalar roundOff = 1e-6;
 
@@ -158,6 +161,7 @@ void Foam::fsbi::meshRepair::examine
 ) const
 {
     patients.clear();
+    const bool all = label(cells.size()) == cells_.size();
     for (const label c : cells)
     {
         if (!cells_.exists(c))
@@ -167,7 +171,7 @@ void Foam::fsbi::meshRepair::examine
         for (label i = 0; i < 4; ++i)
         {
             const label n = cells_.neighbour(c, i);
-            if (n < 0)
+            if (n < 0 || (n < c && all))
             {
                 continue;
             }
@@ -256,18 +260,18 @@ void Foam::fsbi::meshRepair::considerFace
         return;
     }
     const tetrahedra::side s(cells_.sideOf(celli, sidei));
-    swap candidate{{celli, other}, {}, 0};
-    const scalar wanted = worst(candidate.old);
+    ringCells_ = {celli, other};
+    const scalar wanted = worst(ringCells_);
+    std::array<tetPoints, 3> t;
     for (label i = 0; i < 3; ++i)
     {
-        const tetPoints t{s.in, s.out, s.points[i], s.points[(i + 1) % 3]};
-        if (shape(t) <= wanted)
+        t[i] = {s.in, s.out, s.points[i], s.points[(i + 1) % 3]};
+        if (shape(t[i]) <= wanted)
         {
             return;
         }
-        candidate.anew.push_back(t);
     }
-    consider(std::move(candidate), best);
+    consider({ringCells_, {t.begin(), t.end()}, 0}, best);
 }
 
 
@@ -280,10 +284,10 @@ void Foam::fsbi::meshRepair::considerEdge
     {
         return;
     }
-    swap candidate{ringCells_, {}, 0};
-    if (withoutEdge(a, b, worst(ringCells_), candidate.anew))
+    std::vector<tetPoints> anew;
+    if (withoutEdge(a, b, worst(ringCells_), anew))
     {
-        consider(std::move(candidate), best);
+        consider({ringCells_, std::move(anew), 0}, best);
     }
 }
 
@@ -427,6 +431,11 @@ bool Foam::fsbi::meshRepair::better
 {
     const point before(points_[pointi]);
     points_[pointi] = x;
+    if (mobility_[pointi] == SLIDING)
+    {
+        const vector& n = normals_.at(pointi);
+        points_[pointi] -= n*(n & (x - before));
+    }
     const scalar limit = (1 - roundOff)*least;
     const scalar b = badness(star_, limit);
     if (b < limit)
@@ -441,7 +450,7 @@ bool Foam::fsbi::meshRepair::better
 
 void Foam::fsbi::meshRepair::centre(const label pointi)
 {
-    if (fixed_[pointi])
+    if (mobility_[pointi] == FIXED)
     {
         return;
     }
@@ -462,7 +471,7 @@ void Foam::fsbi::meshRepair::centre(const label pointi)
 
 void Foam::fsbi::meshRepair::smooth(const label pointi)
 {
-    if (fixed_[pointi])
+    if (mobility_[pointi] == FIXED)
     {
         return;
     }
@@ -496,26 +505,72 @@ void Foam::fsbi::meshRepair::smooth(const label pointi)
 }
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::fsbi::meshRepair::meshRepair(const meshLists& mesh)
-:
-    points_(mesh.points),
-    cells_(mesh),
-    fixed_(mesh.points.size(), false),
-    mild_(false)
+void Foam::fsbi::meshRepair::setMobility
+(
+    const meshLists& mesh, const label patchi, const bool slides
+)
 {
-    for (label f = mesh.neighbour.size(); f < mesh.faces.size(); ++f)
+    const label start = mesh.patchStarts[patchi];
+    for (label f = start; f < start + mesh.patchSizes[patchi]; ++f)
     {
+        const vector n(mesh.faces[f].unitNormal(points_));
         for (const label p : mesh.faces[f])
         {
-            fixed_[p] = true;
+            const auto known = normals_.emplace(p, n);
+            const bool plane =
+                known.second || mag(known.first->second - n) < samePlane;
+            mobility_[p] =
+                slides && plane && mobility_[p] != FIXED ? SLIDING : FIXED;
         }
     }
 }
 
 
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsbi::meshRepair::meshRepair
+(
+    const meshLists& mesh, const wordList& fixedPatches
+)
+:
+    points_(mesh.points),
+    cells_(mesh),
+    mobility_(mesh.points.size(), FREE),
+    mild_(false)
+{
+    forAll(mesh.patchNames, patchi)
+    {
+        const word type(mesh.patchDicts[patchi].get<word>("type"));
+        setMobility
+        (
+            mesh, patchi,
+            (type == "wall" || type == "patch")
+         && !fixedPatches.found(mesh.patchNames[patchi])
+        );
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsbi::meshRepair::meanNonOrthogonality() const
+{
+    scalar sum = 0;
+    label n = 0;
+    for (label c = 0; c < cells_.size(); ++c)
+    {
+        for (label i = 0; i < 4 && cells_.exists(c); ++i)
+        {
+            if (cells_.neighbour(c, i) > c)
+            {
+                sum += Foam::acos(max(min(cosine(cells_.sideOf(c, i)), 1), -1));
+                ++n;
+            }
+        }
+    }
+    return radToDeg(sum/max(n, 1));
+}
+
 
 void Foam::fsbi::meshRepair::sweep(const scalar degrees)
 {

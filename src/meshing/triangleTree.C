@@ -4,7 +4,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "triangleTree.H"
-#include "triPointRef.H"
 #include "triFace.H"
 
 #include <algorithm>
@@ -87,6 +86,50 @@ inline Foam::scalar Foam::fsbi::triangleTree::sqrDistance
 }
 
 
+// C. Ericson, Real-Time Collision Detection (2005), 5.1.5
+inline Foam::scalar Foam::fsbi::triangleTree::sqrDistance
+(
+    const point* corners, const point& p
+)
+{
+    const vector ab(corners[1] - corners[0]), ac(corners[2] - corners[0]);
+    const vector ap(p - corners[0]);
+    const scalar d1 = ab & ap, d2 = ac & ap;
+    if (d1 <= 0 && d2 <= 0)
+    {
+        return magSqr(ap);
+    }
+    const vector bp(ap - ab);
+    const scalar d3 = ab & bp, d4 = ac & bp;
+    if (d3 >= 0 && d4 <= d3)
+    {
+        return magSqr(bp);
+    }
+    const scalar vc = d1*d4 - d3*d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0)
+    {
+        return magSqr(ap - d1/(d1 - d3)*ab);
+    }
+    const vector cp(ap - ac);
+    const scalar d5 = ab & cp, d6 = ac & cp;
+    if (d6 >= 0 && d5 <= d6)
+    {
+        return magSqr(cp);
+    }
+    const scalar vb = d5*d2 - d1*d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0)
+    {
+        return magSqr(ap - d2/(d2 - d6)*ac);
+    }
+    const scalar va = d3*d6 - d5*d4;
+    if (va <= 0 && d4 >= d3 && d5 >= d6)
+    {
+        return magSqr(bp - (d4 - d3)/((d4 - d3) + (d5 - d6))*(ac - ab));
+    }
+    return magSqr(ap - (vb*ab + vc*ac)/(va + vb + vc));
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsbi::triangleTree::triangleTree(const bodySurface& surface)
@@ -138,8 +181,7 @@ bool Foam::fsbi::triangleTree::find
         }
         for (label k = 3*here.next; k < 3*(here.next + here.n); k += 3)
         {
-            const triPointRef t(corners_[k], corners_[k + 1], corners_[k + 2]);
-            const scalar d = magSqr(t.nearestPoint(p).rawPoint() - p);
+            const scalar d = sqrDistance(&corners_[k], p);
             if (d < least || (!found && d <= least))
             {
                 least = d;

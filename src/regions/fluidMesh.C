@@ -246,7 +246,7 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::heal
         whole.failure = fsbi::heal
         (
             whole, limits, fresh_,
-            mesher_->sizes(surfaces, shift(), finestEdge())
+            mesher_->sizes(surfaces, shift(), finestEdge()), namesOf(bodies_)
         ).reason;
     }
     string reason(whole.failure);

@@ -38,12 +38,11 @@ def travel(scene):
                     healed["seconds"] / whole["seconds"], 0, 0.12, **cost)
     # bound: below what degrades a mesh
     results.add("largest_nonorthogonality_abs", healed["largest"], 0, 70, **cost)
-    results.add("mean_nonorthogonality_over_a_new_mesh_abs",
+    results.add("mean_nonorthogonality_healed_over_new_abs",
                 max(healed["mean"] - new, 0), 0, DRIFT, **cost)
     print(f"    {scene}: healed {healed['events']:.0f} times in {healed['seconds']:.2f} s, "
           f"made anew {whole['events']:.0f} times in {whole['seconds']:.2f} s; mean "
-          f"{healed['mean']:.2f}, new {new:.2f}; remeshed while healing "
-          f"{text.count('Not healed')}")
+          f"at most {healed['mean']:.2f}, new {new:.2f}; {text.count('Not healed')} were not healed")
     return text
 
 
@@ -84,17 +83,19 @@ def drag():
 
 
 def restart():
-    """Every number of the second half, over its own size."""
     whole, halves = (Case(f"runs/{name}").force("a") for name in ("healed", "halfway"))
-    # bound: the same to the last bit
-    results.add("force_after_a_restart_abs", np.abs(whole - halves).max(), 0, 0)
+    change = np.abs(whole - halves).max(axis=1) / np.abs(whole).max()
+    # bound: the flow's tolerance: its preconditioner is made anew at a start
+    results.add("force_after_a_restart_abs", change.max(), 0, 1e-7)
+    # bound: the same to the last bit once there has been a new mesh, made or healed
+    results.add("force_at_the_end_after_a_restart_abs", change[-1], 0, 0)
 
 
 def main():
-    scenes = ["turning"] if quick else ["turning", "wall", "passing"]
+    scenes = ["passing"] if quick else ["turning", "wall", "passing"]
     for scene in scenes:
         travel(scene)
-    processes([f"turning.np{n}" for n in ((1, 2) if quick else (1, 2, 4))])
+    processes([f"passing.np{n}" for n in ((1, 2) if quick else (1, 2, 4))])
     drag()
     restart()
     results.write()

@@ -15,7 +15,7 @@ Usage
     fsbiTestHealing                             checks, of small meshes
     fsbiTestHealing SCENE EDGE FARSIZE WAY STEPS [-only]
                                                 one scene, see travel.H; -only: no
-                                                whole meshes
+                                                whole meshes, also in parallel
 
 \*---------------------------------------------------------------------------*/
 
@@ -51,7 +51,7 @@ struct record
     scalar seconds = 0;
     scalar moving = 0;
 
-    //- Non-orthogonality, degrees: the largest after an event, the mean in the end
+    //- Non-orthogonality, degrees: the largest, and the largest mean, after an event
     scalar largest = 0;
     scalar mean = 0;
 };
@@ -97,15 +97,14 @@ record travelled
             ++r.events;
             const meshQuality q(mesh);
             r.largest = max(r.largest, q.maxNonOrthogonality);
+            r.mean = max(r.mean, q.meanNonOrthogonality);
             Info<< "    at " << w.length*i/w.steps << ": " << seconds << " s, "
                 << q.nCells << " cells, non-orthogonality "
                 << q.maxNonOrthogonality << " mean " << q.meanNonOrthogonality
                 << endl;
         }
     }
-    const meshQuality q(mesh);
-    r.cells = q.nCells;
-    r.mean = q.meanNonOrthogonality;
+    r.cells = returnReduce(mesh.nCells(), sumOp<label>());
     return r;
 }
 
@@ -118,7 +117,8 @@ void print(const char* how, const record& r)
 }
 
 
-// Healed, and the mean non-orthogonality of a new mesh around the same bodies
+// Healed, and in serial the mean non-orthogonality of a new mesh around the same
+// bodies
 record healed(const way& w, Time& time, travel& s, scalar& newMean)
 {
     timings t;
@@ -142,7 +142,10 @@ record healed(const way& w, Time& time, travel& s, scalar& newMean)
     );
     const meshLists whole(wholeLists(mesh.mesh()));
     Info<< "fingerprint " << label(fingerprint(whole) >> 34) << endl;
-    newMean = meshQuality(wholeMeshes(time, s.bodies).mesh()).meanNonOrthogonality;
+    newMean =
+        Pstream::parRun()
+      ? 0
+      : meshQuality(wholeMeshes(time, s.bodies).mesh()).meanNonOrthogonality;
     return r;
 }
 

@@ -99,18 +99,27 @@ static void checkRepaired
         gSum(mesh->cellVolumes()), volume(before), 1e-12
     );
     bool boundary = after.patchSizes == before.patchSizes;
-    scalar moved = 0;
-    const label shift = after.neighbour.size() - before.neighbour.size();
-    for (label f = before.neighbour.size(); f < before.faces.size(); ++f)
+    scalar moved = 0, off = 0;
+    forAll(before.patchNames, patchi)
     {
-        boundary = boundary && after.faces[f + shift] == before.faces[f];
-        for (const label p : before.faces[f])
+        const bool body = s.names.found(before.patchNames[patchi]);
+        for (label i = 0; i < before.patchSizes[patchi]; ++i)
         {
-            moved = max(moved, mag(after.points[p] - before.points[p]));
+            const face& f = before.faces[before.patchStarts[patchi] + i];
+            boundary = boundary
+             && after.faces[after.patchStarts[patchi] + i] == f;
+            const vector n(f.unitNormal(before.points));
+            for (const label p : f)
+            {
+                const vector by(after.points[p] - before.points[p]);
+                (body ? moved : off) = max(body ? moved : off, body ? mag(by) : mag(n & by));
+            }
         }
     }
     c.check("repaired: the boundary's faces stay, in order", boundary);
-    c.checkBelow("repaired: the boundary's points stay", moved, 0);
+    c.checkBelow("repaired: the bodies' points stay", moved, 0);
+    // bound: round-off of coordinates up to 6
+    c.checkBelow("repaired: walls stay plane, edges where they are", off, 1e-14);
     c.checkBelow
     (
         "repaired: non-orthogonality by OpenFOAM",
@@ -121,14 +130,14 @@ static void checkRepaired
 
 static void checkRepair(checks& c, passed& p)
 {
-    meshRepair untouched(p.worn);
+    meshRepair untouched(p.worn, p.s.names);
     meshLists mesh(p.worn);
     untouched.putInto(mesh);
     c.check("cells put back without a change are the same", same(mesh, p.worn));
 
     const auto repaired = [&p, &mesh]()
     {
-        meshRepair repair(p.worn);
+        meshRepair repair(p.worn, p.s.names);
         mesh = p.worn;
         repair.run(60);
         repair.putInto(mesh);
@@ -167,10 +176,10 @@ static void checkRepair(checks& c, passed& p)
 // Round-off, as between different numbers of processors
 static void checkRoundOff(checks& c, const passed& p)
 {
-    const auto faces = [](const meshLists& worn)
+    const auto faces = [&p](const meshLists& worn)
     {
         meshLists mesh(worn);
-        meshRepair repair(worn);
+        meshRepair repair(worn, p.s.names);
         repair.run(60);
         repair.putInto(mesh);
         return mesh;
@@ -203,7 +212,7 @@ static void checkHealed(checks& c, passed& p)
     const auto healed = [&](const meshLists& worn, const std::string& limits)
     {
         meshLists mesh(worn);
-        return heal(mesh, remeshControls(dict(limits)), fresh, sizes);
+        return heal(mesh, remeshControls(dict(limits)), fresh, sizes, p.s.names);
     };
     const outcome well(healed(p.worn, ""));
     c.check("a degraded mesh is healed", well.ok, well.reason);
@@ -218,7 +227,7 @@ static void checkHealed(checks& c, passed& p)
     c.check
     (
         "a mesh whose mean has drifted is not healed",
-        heal(mesh, remeshControls(dictionary()), better, sizes).reason.find("mean")
+        heal(mesh, remeshControls(dictionary()), better, sizes, p.s.names).reason.find("mean")
      != string::npos
     );
     mesh = p.worn;
@@ -228,7 +237,7 @@ static void checkHealed(checks& c, passed& p)
         heal
         (
             mesh, remeshControls(dictionary()), fresh,
-            [&](const point& x) { return 2*sizes(x); }
+            [&](const point& x) { return 2*sizes(x); }, p.s.names
         ).reason.find("long") != string::npos
     );
     const meshLists box(wholeMesh::lists(p.s.box()));
