@@ -369,8 +369,11 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::follow
         controls.maxNonOrthogonality,
         min(referenceNonOrthogonality_ + loss, remeshControls::bearable)
     );
-    const meshQuality quality(mesh(), referenceVolumes_);
-    string reason(quality.failureReason(controls, motion_->twist()));
+    const scalar twist = motion_->twist();
+    string reason
+    (
+        meshQuality(mesh(), referenceVolumes_).failureReason(controls, twist)
+    );
     if (reason.empty())
     {
         reason = closingGap();
@@ -380,7 +383,7 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::follow
         return outcome();
     }
     // no swap of cells turns a body back or opens a gap
-    if (quality.degraded(controls) && closingGap().empty())
+    if (twist <= controls.maxTwist && closingGap().empty())
     {
         const outcome healed(heal(controls, release));
         if (healed)

@@ -91,14 +91,30 @@ def restart():
     results.add("force_at_the_end_after_a_restart_abs", change[-1], 0, 0)
 
 
+def draw(texts):
+    figure, axes = plots.plt.subplots(1, len(texts), figsize=(9, 3.4), sharey=True)
+    pattern = r"at ([\d.]+): ([\d.e-]+) s, \d+ cells, non-orthogonality ([\d.]+) mean ([\d.]+)"
+    for (scene, text), ax in zip(texts.items(), axes):
+        for i, part in enumerate((text[:text.index("healed:")], text[text.index("healed:"):])):
+            rows = np.array([[float(x) for x in m] for m in re.findall(pattern, part)])
+            ax.plot(rows[:, 0], np.cumsum(rows[:, 1]), ".-", color=plots.COLOURS[i],
+                    label=("healed", "whole meshes")[i])
+        ax.set_title(scene, loc="left")
+        ax.set(xlabel="way (rad)" if scene == "turning" else "way (radii)")
+    axes[0].set(ylabel="seconds of meshing", yscale="log")
+    axes[0].legend()
+    plots.save(figure, "healing.png")
+
+
 def main():
     scenes = ["passing"] if quick else ["turning", "wall", "passing"]
-    for scene in scenes:
-        travel(scene)
+    texts = {scene: travel(scene) for scene in scenes}
     processes([f"passing.np{n}" for n in ((1, 2) if quick else (1, 2, 4))])
     drag()
     restart()
     results.write()
+    if not quick:
+        draw(texts)
 
 
 if __name__ == "__main__":
