@@ -405,7 +405,9 @@ Foam::scalar Foam::fsbi::meshRepair::around
 {
     cells_.star(pointi, star_);
     cells_.sides(star_, sides_);
+    // near points count more: the mean alone would make small cells larger
     centre = Zero;
+    scalar weight = 0;
     length = 0;
     for (const label c : star_)
     {
@@ -413,12 +415,14 @@ Foam::scalar Foam::fsbi::meshRepair::around
         {
             if (v != pointi)
             {
-                centre += points_[v];
-                length += mag(points_[v] - points_[pointi]);
+                const scalar edge = mag(points_[v] - points_[pointi]);
+                centre += points_[v]/(edge + VSMALL);
+                weight += 1/(edge + VSMALL);
+                length += edge;
             }
         }
     }
-    centre /= 3*star_.size();
+    centre /= weight;
     length /= 3*star_.size();
     return badness(star_, GREAT);
 }
