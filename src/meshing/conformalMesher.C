@@ -15,6 +15,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "OStringStream.H"
 
 #include <cmath>
+#include <memory>
 
 namespace Foam
 {
@@ -487,4 +488,29 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
         setPatches(bodyNames, mesh);
     }
     return mesh;
+}
+
+
+Foam::fsbi::sizeFunction Foam::fsbi::conformalMesher::sizes
+(
+    const UList<bodySurface>& bodies,
+    const vector& shift,
+    const scalar finestEdge
+) const
+{
+    const serialScope serial;
+    remeshControls controls(controls_);
+    if (controls.minSize <= 0)
+    {
+        controls.minSize = remeshControls::finestPart*finestEdge;
+    }
+    const std::shared_ptr<const sizeField> size
+    (
+        new sizeField
+        (
+            domain_, shift, walls_.transformed(tensor::I, shift), bodies,
+            cyclics_.translations(), controls
+        )
+    );
+    return [size](const point& p) { return (*size)(p); };
 }

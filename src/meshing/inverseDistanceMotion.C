@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "inverseDistanceMotion.H"
-#include "surfaceDistance.H"
+#include "triangleTree.H"
 #include "polyMesh.H"
 #include "processorPolyPatch.H"
 #include "PtrList.H"
@@ -13,6 +13,10 @@ namespace Foam
 {
 namespace fsbi
 {
+
+//- Surfaces this many times as far as the nearest have no weight
+static const scalar furthest = 10;
+
 
 // The rotation from one orientation to another as a vector
 static vector rotation(const quaternion& from, const quaternion& to)
@@ -50,34 +54,50 @@ static vector turned(const vector& theta, const vector& r)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsbi::inverseDistanceMotion::weigh
+void Foam::fsbi::inverseDistanceMotion::distances
 (
-    const PtrList<surfaceDistance>& surfaces,
-    const point& p, const scalar touching, scalarField& w
-) const
+    const PtrList<triangleTree>& surfaces,
+    const point& p, const scalar step, const scalar touching, scalarField& d
+)
 {
-    constexpr scalar furthest = 10;
-
-    // bounding boxes tell which surface is probably nearest
-    scalarField d(surfaces.size(), GREAT);
-    forAll(d, i)
+    // no surface is further than it was by more than the step: that, or bounding
+    // boxes where nothing is known, spares most of the search
+    label guess = findMin(d);
+    if (d[guess] == GREAT)
     {
-        w[i] = surfaces[i].atLeast(p);
+        scalarField least(d.size());
+        forAll(d, i)
+        {
+            least[i] = surfaces[i].atLeast(p);
+        }
+        guess = findMin(least);
     }
-    const label guess = findMin(w);
-    label triangle;
-    surfaces[guess].find(p, ROOTVGREAT, d[guess], triangle);
+    const auto find = [&](const label i, const scalar reach)
+    {
+        const scalar farthest = (1 + SMALL)*(d[i] + step) + touching;
+        d[i] = GREAT;
+        surfaces[i].find(p, min(reach, farthest), d[i]);
+    };
+    find(guess, ROOTVGREAT);
     scalar nearest = d[guess];
     forAll(d, i)
     {
         if (i != guess)
         {
-            surfaces[i].find(p, furthest*nearest + touching, d[i], triangle);
+            find(i, furthest*nearest + touching);
             nearest = min(nearest, d[i]);
         }
     }
+}
 
+
+void Foam::fsbi::inverseDistanceMotion::weigh
+(
+    const UList<scalar>& d, const scalar touching, scalarField& w
+) const
+{
     // relative to the nearest: no overflow however near it is
+    const scalar nearest = min(d);
     forAll(w, i)
     {
         w[i] =
@@ -94,18 +114,20 @@ void Foam::fsbi::inverseDistanceMotion::setWeights
     const UList<bodySurface>& surfaces, const bodySurface& walls
 )
 {
-    PtrList<surfaceDistance> distances;
+    PtrList<triangleTree> trees;
     for (const bodySurface& s : surfaces)
     {
-        distances.append(new surfaceDistance(s.points(), s.triangles()));
+        trees.append(new triangleTree(s));
     }
-    distances.append(new surfaceDistance(walls.points(), walls.triangles()));
+    trees.append(new triangleTree(walls));
 
     const scalar touching = 1e-9*walls.bounds().mag();
-    scalarField w(distances.size());
+    scalarField d(trees.size(), GREAT), w(trees.size());
     forAll(reference_, p)
     {
-        weigh(distances, reference_[p], touching, w);
+        const point& last = reference_[max(p - 1, 0)];
+        distances(trees, reference_[p], mag(reference_[p] - last), touching, d);
+        weigh(d, touching, w);
         domainWeight_[p] = w.last();
         forAll(shares_, b)
         {

@@ -136,17 +136,6 @@ static void orderPoints
 }
 
 
-static face firstPointLowest(const triFace& t)
-{
-    const label i = t[0] < t[1] ? (t[0] < t[2] ? 0 : 2) : (t[1] < t[2] ? 1 : 2);
-    face f(3);
-    f[0] = t[i];
-    f[1] = t[(i + 1) % 3];
-    f[2] = t[(i + 2) % 3];
-    return f;
-}
-
-
 struct internalFace
 {
     label owner, neighbour;
@@ -226,6 +215,17 @@ static string matchSides
 
 
 // * * * * * * * * * * * * * * * * Functions * * * * * * * * * * * * * * * * //
+
+Foam::face Foam::fsbi::firstPointLowest(const triFace& t)
+{
+    const label i = t[0] < t[1] ? (t[0] < t[2] ? 0 : 2) : (t[1] < t[2] ? 1 : 2);
+    face f(3);
+    f[0] = t[i];
+    f[1] = t[(i + 1) % 3];
+    f[2] = t[(i + 2) % 3];
+    return f;
+}
+
 
 void Foam::fsbi::assembleMesh
 (

@@ -89,6 +89,7 @@ Foam::fsbi::fluidMesh::fluidMesh
         }
     }
     setReference();
+    referenceGap_ = smallestGap(walls_);
 }
 
 
@@ -192,6 +193,27 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::generate
     {
         return outcome::failed(reason + narrowGap());
     }
+    if (Pstream::master())
+    {
+        fresh_ = freshMesh(whole, mesher_->sizes(surfaces, shift(), finestEdge()));
+    }
+    Pstream::scatter(fresh_);
+    for (bodySurface& surface : surfaces)
+    {
+        Pstream::scatter(surface);
+    }
+    replace(whole, std::move(surfaces), release);
+    return outcome();
+}
+
+
+void Foam::fsbi::fluidMesh::replace
+(
+    const meshLists& whole,
+    List<bodySurface>&& surfaces,
+    const std::function<void()>& release
+)
+{
     release();
     if (mesh_)
     {
@@ -202,11 +224,38 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::generate
         mesh_ = makeRegionMesh(time_, name_, whole);
     }
     ++generation_;
-    for (bodySurface& surface : surfaces)
-    {
-        Pstream::scatter(surface);
-    }
     surfaces_ = std::move(surfaces);
+}
+
+
+Foam::fsbi::outcome Foam::fsbi::fluidMesh::heal
+(
+    const remeshControls& limits,
+    const std::function<void()>& release
+)
+{
+    readDomain();
+    meshLists whole(wholeLists(mesh()));
+    List<bodySurface> surfaces(bodies_.size());
+    forAll(surfaces, b)
+    {
+        surfaces[b] = motion_->surface(b);
+    }
+    if (Pstream::master() && whole.valid())
+    {
+        whole.failure = fsbi::heal
+        (
+            whole, limits, fresh_,
+            mesher_->sizes(surfaces, shift(), finestEdge()), namesOf(bodies_)
+        ).reason;
+    }
+    string reason(whole.failure);
+    Pstream::scatter(reason);
+    if (!reason.empty())
+    {
+        return outcome::failed(reason);
+    }
+    replace(whole, std::move(surfaces), release);
     return outcome();
 }
 
@@ -232,7 +281,6 @@ void Foam::fsbi::fluidMesh::setReference()
     referenceShift_ = shift();
     motion_.reset(new fluidMotion(mesh(), bodies_, surfaces_));
     measureReference();
-    referenceGap_ = smallestGap(walls_);
 }
 
 
@@ -243,11 +291,10 @@ void Foam::fsbi::fluidMesh::measureReference()
     wordList others(namesOf(bodies_));
     const auto boundary = [&]
     {
-        const bodySurface rest
+        return new triangleTree
         (
             inverseDistanceMotion::domainBoundary(mesh(), others)
         );
-        return new surfaceDistance(rest.points(), rest.triangles());
     };
     boundary_.reset(boundary());
     for (const polyPatch& patch : mesh().boundaryMesh())
@@ -322,12 +369,10 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::follow
         controls.maxNonOrthogonality,
         min(referenceNonOrthogonality_ + loss, remeshControls::bearable)
     );
+    const scalar twist = motion_->twist();
     string reason
     (
-        meshQuality(mesh(), referenceVolumes_).failureReason
-        (
-            controls, motion_->twist()
-        )
+        meshQuality(mesh(), referenceVolumes_).failureReason(controls, twist)
     );
     if (reason.empty())
     {
@@ -337,6 +382,19 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::follow
     {
         return outcome();
     }
+    // no swap of cells turns a body back or opens a gap
+    if (twist <= controls.maxTwist && closingGap().empty())
+    {
+        const outcome healed(heal(controls, release));
+        if (healed)
+        {
+            Info<< "Healing: " << reason.c_str() << endl;
+            // the gap stays: triangles are still those that were cut for it
+            setReference();
+            return outcome();
+        }
+        Info<< "Not healed: " << healed.reason.c_str() << endl;
+    }
     Info<< "Remeshing: " << reason.c_str() << endl;
     const outcome made(generate(release));
     if (!made)
@@ -344,6 +402,7 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::follow
         return made;
     }
     setReference();
+    referenceGap_ = smallestGap(walls_);
     if
     (
         referenceNonOrthogonality_
@@ -384,6 +443,7 @@ void Foam::fsbi::fluidMesh::save(dictionary& state) const
     motion_->save(state);
     state.set("referenceShift", referenceShift_);
     state.set("referenceGap", referenceGap_);
+    state.set("fresh", fresh_.dict());
     state.set("generation", generation_);
 }
 
@@ -393,6 +453,7 @@ void Foam::fsbi::fluidMesh::restore(const dictionary& saved)
     referenceShift_ = saved.get<vector>("referenceShift");
     referenceGap_ = saved.getOrDefault<scalar>("referenceGap", GREAT);
     generation_ = saved.get<label>("generation");
+    fresh_ = freshMesh(saved.subOrEmptyDict("fresh"));
     referencePoints_ = pointIOField
     (
         IOobject

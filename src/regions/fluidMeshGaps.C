@@ -44,9 +44,9 @@ bool Foam::fsbi::fluidMesh::refines() const
 }
 
 
-Foam::scalar Foam::fsbi::fluidMesh::resolvedGap() const
+Foam::scalar Foam::fsbi::fluidMesh::resolvedGap(const bool cut) const
 {
-    if (refines())
+    if (cut)
     {
         return narrowestGap(finestEdge());
     }
@@ -57,6 +57,37 @@ Foam::scalar Foam::fsbi::fluidMesh::resolvedGap() const
             controls.minSize > 0
           ? controls.minSize
           : remeshControls::finestPart*finestEdge()
+        );
+}
+
+
+Foam::string Foam::fsbi::fluidMesh::unresolved(const scalar gap) const
+{
+    if (gap >= resolvedGap(false))
+    {
+        return string();
+    }
+    const bool atWall = smallestGap(walls_) <= gap;
+    const bool cut = refines() && atWall;
+    if (gap >= resolvedGap(cut))
+    {
+        return string();
+    }
+    return
+        "A gap of " + Foam::name(gap) + " is narrower than the "
+      + Foam::name(resolvedGap(cut))
+      + (
+            cut
+          ? " that triangles are cut for"
+          : " that have cellsPerGap cells of minSize across"
+        )
+      + ": the flow in it is not resolved (system/remeshDict; shape size in"
+        " constant/bodies"
+      + (
+            atWall
+          ? ")"
+          : "; it is at a patch that is not of type wall in"
+            " system/blockMeshDict, where no triangle is cut)"
         );
 }
 
@@ -79,7 +110,7 @@ Foam::string Foam::fsbi::fluidMesh::closingGap() const
 Foam::string Foam::fsbi::fluidMesh::narrowGap() const
 {
     const scalar gap = smallestGap();
-    if (gap >= resolvedGap())
+    if (unresolved(gap).empty())
     {
         return string();
     }
@@ -121,15 +152,14 @@ Foam::string Foam::fsbi::fluidMesh::bodyThatLeaves(const scalar gap) const
         (
             inverseDistanceMotion::domainBoundary(mesh(), others)
         );
-        const surfaceDistance surface(open.points(), open.triangles());
+        const triangleTree surface(open);
         for (const immersedBody& body : bodies_)
         {
             const bodySurface meshed(body.meshedSurface());
             for (const point& p : meshed.points())
             {
                 scalar distance;
-                label triangle;
-                if (surface.find(p, 1.01*gap + SMALL, distance, triangle))
+                if (surface.find(p, 1.01*gap + SMALL, distance))
                 {
                     return
                         " (body '" + body.name() + "' has come to the patch '"
@@ -167,7 +197,7 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap() const
 
 Foam::scalar Foam::fsbi::fluidMesh::smallestGap
 (
-    const autoPtr<surfaceDistance>& walls
+    const autoPtr<triangleTree>& walls
 ) const
 {
     const vector moved(shift() - referenceShift_);
@@ -177,13 +207,12 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap
         return motion_ ? motion_->surface(b) : bodies_[b].meshedSurface();
     };
     const auto approach =
-        [&](const surfaceDistance& surface, const pointField& x, const vector& by)
+        [&](const triangleTree& surface, const pointField& x, const vector& by)
         {
-            label triangle;
             for (const point& p : x)
             {
                 scalar distance;
-                if (surface.find(p - by, gap, distance, triangle))
+                if (surface.find(p - by, gap, distance))
                 {
                     gap = min(gap, distance);
                 }
@@ -198,7 +227,7 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap
         }
         if (bodies_.size() > 1)
         {
-            const surfaceDistance tree(surface.points(), surface.triangles());
+            const triangleTree tree(surface);
             for (label other = 0; other < b; ++other)
             {
                 approach

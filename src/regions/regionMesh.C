@@ -224,6 +224,43 @@ void Foam::fsbi::replaceRegionMesh(fvMesh& mesh, const meshLists& whole)
 }
 
 
+Foam::fsbi::meshLists Foam::fsbi::wholeLists(const fvMesh& mesh)
+{
+    meshLists whole(wholeMesh::lists(mesh));
+    if (!Pstream::parRun())
+    {
+        return whole;
+    }
+    bool known = true;
+    for (const word& name : numberNames)
+    {
+        known = known && mesh.thisDb().foundObject<labelIOList>(name);
+    }
+    if (!returnReduce(known, andOp<bool>()))
+    {
+        whole.failure = "the parts of the mesh do not know their place in it";
+        return whole;
+    }
+    const auto numbers = [&](const label i) -> const labelList&
+    {
+        return mesh.thisDb().lookupObject<labelIOList>(numberNames[i]);
+    };
+    List<meshPiece> parts(Pstream::nProcs());
+    parts[Pstream::myProcNo()] = {whole, numbers(0), numbers(1), numbers(2)};
+    Pstream::gatherList(parts);
+    if (!Pstream::master())
+    {
+        return meshLists();
+    }
+    List<const meshPiece*> pieces(parts.size());
+    forAll(parts, i)
+    {
+        pieces[i] = &parts[i];
+    }
+    return joined(pieces);
+}
+
+
 void Foam::fsbi::writeMesh
 (
     const fvMesh& mesh,

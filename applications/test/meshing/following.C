@@ -171,9 +171,18 @@ void checkFluidMesh(checks& c)
         return followed.ok;
     };
     c.check("a mesh follows", follow(0.7) && mesh->generation() == 1);
+    const label nPoints = mesh->mesh().nPoints();
+    for (scalar by = 0.75; mesh->generation() == 1; by += 0.05)
+    {
+        follow(by);
+    }
+    // only a whole new mesh would have other points
+    c.check("degraded it is healed", mesh->mesh().nPoints() == nPoints);
+    checkRestart(c, "healed", time(), t, s, mesh, 1.1, 1.2);
     c.check
     (
-        "degraded it is made anew", follow(1.3) && mesh->generation() == 2
+        "degraded much it is made anew",
+        follow(1.8) && mesh->mesh().nPoints() != nPoints
     );
     for (const immersedBody& body : s.bodies)
     {
@@ -183,7 +192,7 @@ void checkFluidMesh(checks& c)
             mesh->mesh().boundaryMesh()[body.name()], body.placedSurface()
         );
     }
-    checkRestart(c, "remeshed", time(), t, s, mesh, 1.3, 1.5);
+    checkRestart(c, "remeshed", time(), t, s, mesh, 1.8, 1.9);
 }
 
 } // End namespace fsbi

@@ -14,6 +14,7 @@ Description
 
 #include "petscObjects.H"
 #include "deforming.H"
+#include "healing.H"
 #include "filling.H"
 #include "refining.H"
 #include "meshDistribution.H"
@@ -396,6 +397,7 @@ int main(int argc, char* argv[])
         checkFit(c);
         checkMapping(c);
         checkFluidMesh(c);
+        checkHealing(c);
     }
     checkDistribution(c);
     checkMasterAlone(c);

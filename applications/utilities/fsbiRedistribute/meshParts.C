@@ -19,21 +19,6 @@ static labelList places(const labelList& numbers)
     return result;
 }
 
-static face renumbered(const face& f, const labelList& numbers)
-{
-    face result(f.size());
-    forAll(f, i)
-    {
-        result[i] = numbers[f[i]];
-    }
-    return result;
-}
-
-static bool isProcessor(const dictionary& patch)
-{
-    return patch.get<word>("type") == "processor";
-}
-
 } // End namespace Foam
 
 
@@ -117,77 +102,6 @@ void Foam::fsbi::meshParts::setPlaces()
 }
 
 
-void Foam::fsbi::meshParts::joinPart(const meshPart& part)
-{
-    const meshLists& mesh = part.mesh;
-    UIndirectList<point>(whole.points, part.points) = mesh.points;
-    forAll(mesh.faces, facei)
-    {
-        const label g = part.faces[facei];
-        const label c = part.cells[mesh.owner[facei]];
-        const bool inner = facei < mesh.neighbour.size();
-        label& owner = whole.owner[g];
-        label& neighbour = whole.neighbour[g];
-        if (owner < 0 || c < owner)
-        {
-            // of a cut face the owner's side comes from the owner's part
-            neighbour = inner ? part.cells[mesh.neighbour[facei]] : owner;
-            owner = c;
-            whole.faces[g] = renumbered(mesh.faces[facei], part.points);
-        }
-        else
-        {
-            neighbour = c;
-        }
-    }
-}
-
-
-void Foam::fsbi::meshParts::joinPatches()
-{
-    const meshLists& first = parts[0].mesh;
-    label start = whole.neighbour.size();
-    forAll(first.patchNames, patchi)
-    {
-        if (isProcessor(first.patchDicts[patchi]))
-        {
-            break;
-        }
-        label size = 0;
-        for (const meshPart& part : parts)
-        {
-            size += part.mesh.patchSizes[patchi];
-        }
-        whole.patchNames.append(first.patchNames[patchi]);
-        whole.patchDicts.append(first.patchDicts[patchi]);
-        whole.patchStarts.append(start);
-        whole.patchSizes.append(size);
-        start += size;
-    }
-}
-
-
-void Foam::fsbi::meshParts::check(const word& region) const
-{
-    const label last = whole.patchNames.size() - 1;
-    bool good =
-        !whole.owner.found(-1) && !whole.neighbour.found(-1)
-     && last >= 0
-     && whole.patchStarts[last] + whole.patchSizes[last] == whole.faces.size();
-    label nCells = 0;
-    for (const meshPart& part : parts)
-    {
-        nCells += part.cells.size();
-    }
-    if (!good || nCells != whole.nCells())
-    {
-        FatalErrorInFunction
-            << "The parts of the mesh of region " << region << " do not fit"
-            << " together: cells or faces are missing" << exit(FatalError);
-    }
-}
-
-
 Foam::fsbi::meshParts::meshParts
 (
     PtrList<meshPart>&& given, const word& region
@@ -201,28 +115,18 @@ Foam::fsbi::meshParts::meshParts
         setPlaces();
         return;
     }
-    label nPoints = 0, nFaces = 0;
-    for (const meshPart& part : parts)
+    List<const meshPiece*> pieces(parts.size());
+    forAll(parts, i)
     {
-        nPoints = max(nPoints, max(part.points) + 1);
-        nFaces = max(nFaces, max(part.faces) + 1);
+        pieces[i] = &parts[i];
     }
-    whole.points.setSize(nPoints);
-    whole.faces.setSize(nFaces);
-    whole.owner.setSize(nFaces, -1);
-    whole.neighbour.setSize(nFaces, -1);
-    for (const meshPart& part : parts)
+    whole = joined(pieces);
+    if (!whole.valid())
     {
-        joinPart(part);
+        FatalErrorInFunction
+            << "The mesh of region " << region << ": " << whole.failure.c_str()
+            << exit(FatalError);
     }
-    label nInternal = 0;
-    while (nInternal < nFaces && whole.neighbour[nInternal] >= 0)
-    {
-        ++nInternal;
-    }
-    whole.neighbour.setSize(nInternal);
-    joinPatches();
-    check(region);
     setPlaces();
 }
 

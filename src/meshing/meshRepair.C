@@ -1,0 +1,642 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "meshRepair.H"
+#include "mathematicalConstants.H"
+#include "unitConversion.H"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Shape below which a cell is bad, and below which it counts as without volume
+static const scalar badShape = 0.12, flat = 1e-3;
+
+//- Most cells around an edge that is taken away
+static const label longestRing = 7;
+
+//- Part of the badness that a change must take away
+static const scalar worthwhile = 0.02;
+
+//- Normals of a plane differ by no more
+static const scalar samePlane = 1e-6;
+
+//- What is better by less is so by round-off
+static const scalar roundOff = 1e-6;
+
+//- Shape of the worst of new cells, over that of the worst they replace, below
+//  which they are not looked at further
+static const scalar asGood = 0.7;
+
+//- Steps of a moved point over the mean length of its edges: the first, and each
+//  over the one before
+static const scalar firstStep = 0.15, shorter = 0.4;
+static const label nSteps = 6;
+
+
+static void sortUnique(std::vector<label>& numbers)
+{
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+inline Foam::scalar Foam::fsbi::meshRepair::cosine
+(
+    const tetrahedra::side& s
+) const
+{
+    // centres of cells with a common face are as their opposite points
+    const point& p = points_[s.points[0]];
+    const vector S((points_[s.points[1]] - p) ^ (points_[s.points[2]] - p));
+    const vector d(points_[s.out] - points_[s.in]);
+    return (S & d)/(Foam::sqrt(magSqr(S)*magSqr(d)) + VSMALL);
+}
+
+
+inline Foam::scalar Foam::fsbi::meshRepair::shape(const tetPoints& t) const
+{
+    const vector a(points_[t[1]] - points_[t[0]]);
+    const vector b(points_[t[2]] - points_[t[0]]);
+    const vector c(points_[t[3]] - points_[t[0]]);
+    const scalar squares =
+        magSqr(a) + magSqr(b) + magSqr(c)
+      + magSqr(a - b) + magSqr(b - c) + magSqr(c - a);
+    const scalar mean = squares/6;
+    // 6 sqrt 2 V = sqrt 2 ((a ^ b) & c)
+    return Foam::sqrt(2.0)*((a ^ b) & c)/(mean*Foam::sqrt(mean) + VSMALL);
+}
+
+
+inline Foam::scalar Foam::fsbi::meshRepair::weight(const tetPoints& t) const
+{
+    const scalar q = shape(t);
+    return q > flat ? 0.2*pow4(0.2/q) : 1e6*(1 + 100*(flat - q));
+}
+
+
+// Cells by their numbers, or as their points
+inline const Foam::fsbi::tetPoints& Foam::fsbi::meshRepair::pointsOf
+(
+    const label celli
+) const
+{
+    return cells_[celli];
+}
+
+
+inline const Foam::fsbi::tetPoints& Foam::fsbi::meshRepair::pointsOf
+(
+    const tetPoints& t
+) const
+{
+    return t;
+}
+
+
+template<class Cells>
+Foam::scalar Foam::fsbi::meshRepair::badness
+(
+    const Cells& cells, const scalar limit
+) const
+{
+    scalar sum = 0;
+    for (const auto& cell : cells)
+    {
+        sum += weight(pointsOf(cell));
+        if (sum > limit)
+        {
+            return sum;
+        }
+    }
+    for (const tetrahedra::side& s : sides_)
+    {
+        if (s.out >= 0)
+        {
+            const scalar e = sqr((1 - cosine(s))/0.5);
+            sum += mild_ ? e : pow4(e);
+            if (sum > limit)
+            {
+                return sum;
+            }
+        }
+    }
+    return sum;
+}
+
+
+bool Foam::fsbi::meshRepair::isBad(const patient& p, const scalar limit) const
+{
+    if (!cells_.exists(p.cell))
+    {
+        return false;
+    }
+    if (p.side < 0)
+    {
+        return shape(cells_[p.cell]) < badShape;
+    }
+    return
+        cells_.neighbour(p.cell, p.side) >= 0
+     && cosine(cells_.sideOf(p.cell, p.side)) < limit;
+}
+
+
+void Foam::fsbi::meshRepair::examine
+(
+    const std::vector<label>& cells,
+    const scalar limit,
+    std::vector<patient>& patients
+) const
+{
+    patients.clear();
+    const bool all = label(cells.size()) == cells_.size();
+    for (const label c : cells)
+    {
+        if (!cells_.exists(c))
+        {
+            continue;
+        }
+        for (label i = 0; i < 4; ++i)
+        {
+            const label n = cells_.neighbour(c, i);
+            if (n < 0 || (n < c && all))
+            {
+                continue;
+            }
+            const scalar angle = cosine(cells_.sideOf(c, i));
+            const bool first =
+                c < n || !std::binary_search(cells.begin(), cells.end(), n);
+            if (angle < limit && first)
+            {
+                // rounded: the order must not depend on round-off
+                patients.push_back({std::round((1 - angle)/roundOff), c, i});
+            }
+        }
+        if (shape(cells_[c]) < badShape)
+        {
+            patients.push_back({0, c, -1});
+        }
+    }
+    std::sort(patients.begin(), patients.end());
+}
+
+
+void Foam::fsbi::meshRepair::touch(const std::vector<label>& cells)
+{
+    isTouched_.resize(cells_.size(), false);
+    for (const label c : cells)
+    {
+        if (!isTouched_[c])
+        {
+            isTouched_[c] = true;
+            touched_.push_back(c);
+        }
+    }
+}
+
+
+void Foam::fsbi::meshRepair::forget()
+{
+    for (const label c : touched_)
+    {
+        isTouched_[c] = false;
+    }
+    touched_.clear();
+}
+
+
+void Foam::fsbi::meshRepair::consider(swap&& candidate, swap& best)
+{
+    cells_.sides(candidate.old, sides_);
+    const scalar before = badness(candidate.old, GREAT);
+    const scalar wanted =
+        before - max(max(worthwhile*before, roundOff), (1 + roundOff)*best.gain);
+    if (cells_.sides(candidate.old, candidate.anew, sides_))
+    {
+        const scalar after = badness(candidate.anew, wanted);
+        if (after < wanted)
+        {
+            candidate.gain = before - after;
+            best = std::move(candidate);
+        }
+    }
+}
+
+
+Foam::scalar Foam::fsbi::meshRepair::worst
+(
+    const std::vector<label>& cells
+) const
+{
+    scalar q = GREAT;
+    for (const label c : cells)
+    {
+        q = min(q, shape(cells_[c]));
+    }
+    return max(flat, asGood*q);
+}
+
+
+void Foam::fsbi::meshRepair::considerFace
+(
+    const label celli, const label sidei, swap& best
+)
+{
+    const label other = cells_.neighbour(celli, sidei);
+    if (other < 0)
+    {
+        return;
+    }
+    const tetrahedra::side s(cells_.sideOf(celli, sidei));
+    ringCells_ = {celli, other};
+    const scalar wanted = worst(ringCells_);
+    std::array<tetPoints, 3> t;
+    for (label i = 0; i < 3; ++i)
+    {
+        t[i] = {s.in, s.out, s.points[i], s.points[(i + 1) % 3]};
+        if (shape(t[i]) <= wanted)
+        {
+            return;
+        }
+    }
+    consider({ringCells_, {t.begin(), t.end()}, 0}, best);
+}
+
+
+void Foam::fsbi::meshRepair::considerEdge
+(
+    const label celli, const label a, const label b, swap& best
+)
+{
+    if (!cells_.ring(celli, a, b, longestRing, ringCells_, ring_))
+    {
+        return;
+    }
+    std::vector<tetPoints> anew;
+    if (withoutEdge(a, b, worst(ringCells_), anew))
+    {
+        consider({ringCells_, std::move(anew), 0}, best);
+    }
+}
+
+
+bool Foam::fsbi::meshRepair::withoutEdge
+(
+    const label a, const label b, const scalar wanted,
+    std::vector<tetPoints>& cells
+) const
+{
+    // the worst cell over the best triangulation of points i to j of the ring, and
+    // the third point of its triangle at (i j)
+    const label n = ring_.size();
+    scalar worst[longestRing][longestRing];
+    label third[longestRing][longestRing];
+    for (label i = n - 2; i >= 0; --i)
+    {
+        worst[i][i + 1] = GREAT;
+        for (label j = i + 2; j < n; ++j)
+        {
+            worst[i][j] = -GREAT;
+            third[i][j] = i + 1;
+            for (label k = i + 1; k < j; ++k)
+            {
+                const scalar q = min
+                (
+                    min(worst[i][k], worst[k][j]),
+                    min
+                    (
+                        shape({ring_[i], ring_[k], ring_[j], b}),
+                        shape({ring_[k], ring_[i], ring_[j], a})
+                    )
+                );
+                if (q > worst[i][j] + roundOff)
+                {
+                    worst[i][j] = q;
+                    third[i][j] = k;
+                }
+            }
+        }
+    }
+    if (!(worst[0][n - 1] > wanted))
+    {
+        return false;
+    }
+    std::vector<labelPair> open(1, labelPair(0, n - 1));
+    while (open.size())
+    {
+        const label i = open.back().first(), j = open.back().second();
+        open.pop_back();
+        if (j > i + 1)
+        {
+            const label k = third[i][j];
+            cells.push_back({ring_[i], ring_[k], ring_[j], b});
+            cells.push_back({ring_[k], ring_[i], ring_[j], a});
+            open.push_back(labelPair(i, k));
+            open.push_back(labelPair(k, j));
+        }
+    }
+    return true;
+}
+
+
+std::vector<Foam::label> Foam::fsbi::meshRepair::treat
+(
+    const patient& p, const bool thorough
+)
+{
+    std::vector<label> cells(1, p.cell);
+    if (p.side >= 0)
+    {
+        cells.push_back(cells_.neighbour(p.cell, p.side));
+    }
+    swap best{{}, {}, 0};
+    const label n = thorough ? cells.size() : 1;
+    for (label k = 0; k < n; ++k)
+    {
+        const label c = cells[k];
+        const tetPoints t(cells_[c]);
+        for (label i = 0; i < 4; ++i)
+        {
+            // not thorough: the face alone, and its edges
+            for (label j = i + 1; j < 4; ++j)
+            {
+                if (thorough || (i != p.side && j != p.side))
+                {
+                    considerEdge(c, t[i], t[j], best);
+                }
+            }
+            if (thorough || i == p.side)
+            {
+                considerFace(c, i, best);
+            }
+        }
+    }
+    if (best.anew.size())
+    {
+        cells_.replace(best.old, best.anew, cells);
+        touch(cells);
+    }
+    std::vector<label> points;
+    for (const label c : cells)
+    {
+        points.insert(points.end(), cells_[c].begin(), cells_[c].end());
+    }
+    sortUnique(points);
+    return points;
+}
+
+
+Foam::scalar Foam::fsbi::meshRepair::around
+(
+    const label pointi, point& centre, scalar& length
+)
+{
+    cells_.star(pointi, star_);
+    cells_.sides(star_, sides_);
+    // near points count more: the mean alone would make small cells larger
+    centre = Zero;
+    scalar weight = 0;
+    length = 0;
+    for (const label c : star_)
+    {
+        for (const label v : cells_[c])
+        {
+            if (v != pointi)
+            {
+                const scalar edge = mag(points_[v] - points_[pointi]);
+                centre += points_[v]/(edge + VSMALL);
+                weight += 1/(edge + VSMALL);
+                length += edge;
+            }
+        }
+    }
+    centre /= weight;
+    length /= 3*star_.size();
+    return badness(star_, GREAT);
+}
+
+
+bool Foam::fsbi::meshRepair::better
+(
+    const label pointi, const point& x, scalar& least
+)
+{
+    const point before(points_[pointi]);
+    points_[pointi] = x;
+    if (mobility_[pointi] == SLIDING)
+    {
+        const vector& n = normals_.at(pointi);
+        points_[pointi] -= n*(n & (x - before));
+    }
+    const scalar limit = (1 - roundOff)*least;
+    const scalar b = badness(star_, limit);
+    if (b < limit)
+    {
+        least = b;
+        return true;
+    }
+    points_[pointi] = before;
+    return false;
+}
+
+
+void Foam::fsbi::meshRepair::centre(const label pointi)
+{
+    if (mobility_[pointi] == FIXED)
+    {
+        return;
+    }
+    const point start(points_[pointi]);
+    point middle;
+    scalar length;
+    scalar least = around(pointi, middle, length);
+    if
+    (
+        better(pointi, middle, least)
+     || better(pointi, 0.5*(start + middle), least)
+    )
+    {
+        touch(star_);
+    }
+}
+
+
+void Foam::fsbi::meshRepair::smooth(const label pointi)
+{
+    if (mobility_[pointi] == FIXED)
+    {
+        return;
+    }
+    const point start(points_[pointi]);
+    point middle;
+    scalar step;
+    const scalar before = around(pointi, middle, step);
+    scalar least = before;
+    better(pointi, 0.5*(start + middle), least);
+    better(pointi, middle, least);
+    step *= firstStep;
+    for (label k = 0; k < nSteps; ++k)
+    {
+        bool any = false;
+        for (direction i = 0; i < 6; ++i)
+        {
+            point x(points_[pointi]);
+            x[i/2] += i % 2 ? -step : step;
+            any = better(pointi, x, least) || any;
+        }
+        step *= any ? 1 : shorter;
+    }
+    if (least < (1 - worthwhile)*before)
+    {
+        touch(star_);
+    }
+    else
+    {
+        points_[pointi] = start;
+    }
+}
+
+
+void Foam::fsbi::meshRepair::setMobility
+(
+    const meshLists& mesh, const label patchi, const bool slides
+)
+{
+    const label start = mesh.patchStarts[patchi];
+    for (label f = start; f < start + mesh.patchSizes[patchi]; ++f)
+    {
+        const vector n(mesh.faces[f].unitNormal(points_));
+        for (const label p : mesh.faces[f])
+        {
+            const auto known = normals_.emplace(p, n);
+            const bool plane =
+                known.second || mag(known.first->second - n) < samePlane;
+            mobility_[p] =
+                slides && plane && mobility_[p] != FIXED ? SLIDING : FIXED;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsbi::meshRepair::meshRepair
+(
+    const meshLists& mesh, const wordList& fixedPatches
+)
+:
+    points_(mesh.points),
+    cells_(mesh),
+    mobility_(mesh.points.size(), FREE),
+    mild_(false)
+{
+    forAll(mesh.patchNames, patchi)
+    {
+        const word type(mesh.patchDicts[patchi].get<word>("type"));
+        setMobility
+        (
+            mesh, patchi,
+            (type == "wall" || type == "patch")
+         && !fixedPatches.found(mesh.patchNames[patchi])
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsbi::meshRepair::meanNonOrthogonality() const
+{
+    scalar sum = 0;
+    label n = 0;
+    for (label c = 0; c < cells_.size(); ++c)
+    {
+        for (label i = 0; i < 4 && cells_.exists(c); ++i)
+        {
+            if (cells_.neighbour(c, i) > c)
+            {
+                sum += Foam::acos(max(min(cosine(cells_.sideOf(c, i)), 1), -1));
+                ++n;
+            }
+        }
+    }
+    return radToDeg(sum/max(n, 1));
+}
+
+
+void Foam::fsbi::meshRepair::sweep(const scalar degrees)
+{
+    const scalar limit = Foam::cos(degToRad(degrees));
+    std::vector<label> cells(cells_.size());
+    std::iota(cells.begin(), cells.end(), 0);
+    std::vector<patient> patients;
+    examine(cells, limit, patients);
+    std::vector<bool> done(points_.size(), false);
+    mild_ = true;
+    for (const patient& p : patients)
+    {
+        if (isBad(p, limit))
+        {
+            for (const label v : treat(p, false))
+            {
+                if (!done[v])
+                {
+                    done[v] = true;
+                    centre(v);
+                }
+            }
+        }
+    }
+    mild_ = false;
+}
+
+
+void Foam::fsbi::meshRepair::run(const scalar degrees, const label passes)
+{
+    const scalar limit = Foam::cos(degToRad(degrees));
+    std::vector<label> cells(cells_.size());
+    std::iota(cells.begin(), cells.end(), 0);
+    std::vector<patient> patients;
+    for (label pass = 0; pass < passes; ++pass)
+    {
+        examine(cells, limit, patients);
+        if (patients.empty())
+        {
+            break;
+        }
+        forget();
+        cells.clear();
+        for (const patient& p : patients)
+        {
+            cells.push_back(p.cell);
+            if (isBad(p, limit))
+            {
+                for (const label v : treat(p, true))
+                {
+                    smooth(v);
+                }
+            }
+        }
+        cells.insert(cells.end(), touched_.begin(), touched_.end());
+        sortUnique(cells);
+    }
+}
+
+
+void Foam::fsbi::meshRepair::putInto(meshLists& mesh) const
+{
+    mesh.points = points_;
+    cells_.putInto(mesh);
+}
