@@ -14,7 +14,7 @@ import sys
 
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+sys.path.insert(0, os.path.join(os.environ["FSBI_DIR"], "validation"))
 import box_mesh                                                 # noqa: E402
 
 GROWTH = 6              # of edges from the hole to the sides
