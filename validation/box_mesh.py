@@ -73,12 +73,9 @@ def boundary(points, cells, lengths):
                     yield 2 * axis + end, vertices
 
 
-def main(kind, *numbers):
-    lengths = np.array(numbers[:3], float)
-    cells = np.array(numbers[3:], int)
-    points = vertices(lengths, cells)
-    volumes = outward(points, elements(cells, kind == "tetrahedra"))
-    faces = list(boundary(points, volumes, lengths))
+def write(points, volumes, faces):
+    """On the standard output; faces: as of boundary()."""
+    faces = list(faces)
     print("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n7")
     for i, name in enumerate(PATCHES):
         print(f'2 {i + 1} "{name}"')
@@ -93,6 +90,14 @@ def main(kind, *numbers):
             (4 if len(these) == 4 else 5)
         print(i + 1, shape, 2, group, group, *(these + 1))
     print("$EndElements")
+
+
+def main(kind, *numbers):
+    lengths = np.array(numbers[:3], float)
+    cells = np.array(numbers[3:], int)
+    points = vertices(lengths, cells)
+    volumes = outward(points, elements(cells, kind == "tetrahedra"))
+    write(points, volumes, boundary(points, volumes, lengths))
 
 
 if __name__ == "__main__":

@@ -91,15 +91,31 @@ Foam::fsbi::exactError::errors() const
     {
         return solution_->CauchyStress(X, time);
     };
+    const auto displacement = [&](const point& X)
+    {
+        return solution_->displacement(X, time);
+    };
     DynamicList<norms> all;
     all.append
     (
         compare
         (
             "D", mesh_.lookupObject<volVectorField>("D"), centres, volumes,
-            [&](const point& X) { return solution_->displacement(X, time); }
+            displacement
         )
     );
+    const auto* vertices = mesh_.findObject<pointVectorField>("pointD");
+    if (vertices)
+    {
+        all.append
+        (
+            compare
+            (
+                "pointD", *vertices, mesh_.points(), vertexVolumes(),
+                displacement
+            )
+        );
+    }
     if (const auto* sigma = mesh_.findObject<volSymmTensorField>("sigma"))
     {
         all.append(compare("sigma", *sigma, centres, volumes, stress));

@@ -25,6 +25,37 @@ QUICK = {
     "hexahedra": {"D": 1.5, "sigma": 1.5, "sigmazz": 1.5},
     "tetrahedra": {"pointSigma": 1.25},
 }
+# bound: asked of order 4
+FOURTH = {
+    "hexahedra": {"pointD": 3.5, "sigma": 2.5, "sigmazz": 2.5, "pointSigma": 2.5},
+    "tetrahedra": {"pointD": 3.5, "sigma": 2.8, "sigmazz": 2.8, "pointSigma": 2.8},
+}
+
+
+def name_of(field):
+    return FIELDS.get(field, "displacement").replace(" ", "_")
+
+
+def fourth_order(results, quick):
+    """By order 4: cells' displacements are means there, those at vertices count."""
+    for kind, lowest in FOURTH.items():
+        study, second = Study(f"runs/order4.{kind}[0-9]*"), Study(f"runs/{kind}[0-9]*")
+        # on the finest mesh of both
+        i, j = max((i, j) for i, h in enumerate(study.h) for j, g in enumerate(second.h)
+                   if abs(g / h - 1) < 1e-6)
+        for field, order in lowest.items():
+            cost = dict(study.cost(i), variant=kind)
+            error = study.error(field)[i]
+            if results.case == "S2":
+                # bound: quadratic displacements are exact; the solver's tolerance, 1e-10
+                results.add(f"order4_{name_of(field)}_abs", error, 0, 1e-8, **cost)
+                continue
+            # bound: asked: four times smaller on equal cells
+            results.add(f"order4_{name_of(field)}_over_order2_abs",
+                        error / second.error(field)[j], 0, 0.25, **cost)
+            if not quick:
+                results.at_least(f"order4_order_of_{name_of(field)}", study.order(field),
+                                 order, variant=kind)
 
 
 def check(case, quick):
@@ -43,6 +74,7 @@ def check(case, quick):
                     **study.cost())
         for field in FIELDS:
             curves[field, kind] = (study.h / 0.3, study.error(field))
+    fourth_order(results, quick)
     results.write()
     return curves
 

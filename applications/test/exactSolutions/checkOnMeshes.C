@@ -254,6 +254,11 @@ static void checkErrorNorms
         IOobject("pointSigma", "0", mesh), pointMesh::New(mesh),
         dimensionedSymmTensor("0", dimPressure, Zero)
     );
+    pointVectorField pointD
+    (
+        IOobject("pointD", "0", mesh), pointMesh::New(mesh),
+        dimensionedVector("0", dimLength, Zero)
+    );
     const vector shift(0, 0.003, 0);
     scalar square = 0;
     forAll(sigma, i)
@@ -267,6 +272,7 @@ static void checkErrorNorms
     forAll(pointSigma, i)
     {
         pointSigma[i] = 0.98*s->CauchyStress(mesh.points()[i], 0);
+        pointD[i] = 1.03*s->displacement(mesh.points()[i], 0);
     }
     reduce(square, sumOp<scalar>());
 
@@ -298,6 +304,7 @@ static void checkErrorNorms
         close("sigma", 0.01);
         close("sigmazz", 0.01);
         close("pointSigma", 0.02);
+        close("pointD", 0.03);
     }
     const scalar cells = scene.written("cells");
     c.checkClose(name + ": h", scene.written("h"), Foam::cbrt(8/cells), 1e-8);

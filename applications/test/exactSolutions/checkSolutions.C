@@ -112,6 +112,16 @@ static void checkAllEquations(checks& c)
         "origin (7 8 9);", soft,
         boundBox(point(6.9, 7, 9), point(7.1, 9, 14)), 1e-8
     );
+    for (const std::string nu : {"0", "0.3", "0.49"})
+    {
+        checkEquations
+        (
+            c, "plate with a hole, nu " + nu,
+            "type plateWithHole; radius 0.5; tension 3; origin (4 0 0);",
+            "type linearElastic; E 1e4; nu " + nu + ";",
+            boundBox(point(3.5, 0.5, 0), point(4.5, 1.5, 1)), 1e-7
+        );
+    }
     for
     (
         const std::string law :
@@ -185,6 +195,33 @@ static void checkSides(checks& c)
         "flexure: deflection P l^3/3EI of the axis",
         beam->displacement(point(0, 0, 2.4), 0).y(),
         90*pow3(2.4)/(3*200e9*pow4(0.3)/12), 1e-12
+    );
+}
+
+
+static void checkHole(checks& c)
+{
+    const auto plate = solution
+    (
+        "type plateWithHole; radius 0.5; tension 3;", steel
+    );
+    scalar edge = 0;
+    for (scalar angle = 0; angle < 6.3; angle += 0.1)
+    {
+        const vector n(Foam::cos(angle), Foam::sin(angle), 0);
+        edge = max(edge, mag(plate->stress(0.5*n, 0) & n));
+    }
+    c.checkBelow("plate with a hole: its edge is free", edge, 1e-14);
+    c.checkClose
+    (
+        "plate with a hole: three times the tension",
+        plate->stress(point(0, 0.5, 7), 0).xx(), 9, 1e-13
+    );
+    c.checkBelow
+    (
+        "plate with a hole: the tension far away",
+        mag(plate->stress(point(400, 300, 0), 0) - tensor(3, 0, 0, 0, 0, 0, 0, 0, 0.9)),
+        3e-5
     );
 }
 
@@ -386,6 +423,7 @@ void checkSolutions(checks& c)
 {
     checkAllEquations(c);
     checkSides(c);
+    checkHole(c);
     checkResultants(c);
     checkFlexureTable(c);
     checkManufacturedTable(c);

@@ -384,6 +384,110 @@ static void checkSpheres(checks& c, const testMeshes& meshes)
 }
 
 
+// A quarter of a ring between planes of symmetry: the cube, bent
+
+    static const scalar innerRadius = 0.5, outerRadius = 1.5;
+
+    static point bend(const point& p)
+    {
+        const scalar radius =
+            innerRadius + (outerRadius - innerRadius)*(p.x() + 1)/2;
+        const scalar angle = constant::mathematical::pi/4*(p.y() + 1);
+        return point
+        (
+            radius*Foam::cos(angle), radius*Foam::sin(angle), p.z()
+        );
+    }
+
+    //- Of a face of the cube: 0 to 3 for those that become planes of symmetry
+    static label sideOf(const vector& n)
+    {
+        const direction d = mag(n.y()) > 0.5 ? 1 : 2;
+        return 2*(d - 1) + (n[d] > 0);
+    }
+
+    //- Cut the last patch of the cube, four sides, into one a side
+    static void cutSides(meshLists& lists)
+    {
+        const label start = lists.patchStarts.last();
+        const faceList faces(lists.faces);
+        const labelList owner(lists.owner);
+        lists.patchNames.last() = "side0";
+        lists.patchDicts.last().set("type", "symmetryPlane");
+        const dictionary side(lists.patchDicts.last());
+        label place = start;
+        for (label i = 0; i < 4; ++i)
+        {
+            const label first = place;
+            for (label facei = start; facei < faces.size(); ++facei)
+            {
+                if (sideOf(faces[facei].unitNormal(lists.points)) == i)
+                {
+                    lists.faces[place] = faces[facei];
+                    lists.owner[place++] = owner[facei];
+                }
+            }
+            if (i)
+            {
+                lists.patchNames.append("side" + Foam::name(i));
+                lists.patchDicts.append(side);
+                lists.patchStarts.append(first);
+                lists.patchSizes.append(0);
+            }
+            lists.patchSizes.last() = place - first;
+        }
+    }
+
+    static autoPtr<fvMesh> ring(const testMeshes& meshes, const label n)
+    {
+        meshLists lists(meshes.lists("tetrahedra", n));
+        cutSides(lists);
+        for (point& p : lists.points)
+        {
+            p = bend(p);
+        }
+        return lists.makeMesh
+        (
+            IOobject
+            (
+                "ring", meshes.clock().timeName(), meshes.clock(),
+                IOobject::NO_READ
+            )
+        );
+    }
+
+    static solidBoundary::kind onRing(const point& p)
+    {
+        const bool plane =
+            min(mag(p.x()), mag(p.y())) < 1e-6 || mag(p.z()) > 1 - 1e-6;
+        return plane ? solidBoundary::symmetry : solidBoundary::traction;
+    }
+
+
+static void checkRing(checks& c, const testMeshes& meshes)
+{
+    scalarList errors(2);
+    forAll(errors, i)
+    {
+        const autoPtr<fvMesh> mesh(ring(meshes, i ? 8 : 4));
+        elasticCase body(fourth(mesh(), hooke, onRing));
+        const scalar exact =
+            constant::mathematical::pi/2
+           *(sqr(outerRadius) - sqr(innerRadius));
+        const scalar volume =
+            sum(mesh().cellVolumes()) + sum(body.elastic->volumesOnFacets()());
+        errors[i] = mag(volume/exact - 1);
+    }
+    const scalar order = std::log(errors[0]/errors[1])/std::log(2.0);
+    // bound: fourth in theory, on meshes that are not similar
+    c.check
+    (
+        "volume of a ring between planes of symmetry, order",
+        order > 3.5, Foam::name(order) + ", " + Foam::name(errors[1])
+    );
+}
+
+
 int main(int argc, char *argv[])
 {
     argList::noParallel();
@@ -424,5 +528,6 @@ int main(int argc, char *argv[])
     }
     checkObjective(c, mesh());
     checkSpheres(c, meshes);
+    checkRing(c, meshes);
     return c.finish();
 }

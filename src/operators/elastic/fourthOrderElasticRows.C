@@ -7,6 +7,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "asVectors.H"
 #include "cofactor.H"
 #include "cubicSlopes.H"
+#include "strainStiffening.H"
 
 namespace Foam
 {
@@ -63,11 +64,19 @@ void Foam::fsbi::fourthOrderElastic::setJumps()
 }
 
 
+Foam::scalar Foam::fsbi::fourthOrderElastic::stiffness(const label i) const
+{
+    return
+        stabilisation
+      + (material_.linear() ? 0 : strainStiffening(jumps_[i].F));
+}
+
+
 Foam::vector Foam::fsbi::fourthOrderElastic::held(const label i) const
 {
     const vector& e = jumps_[i].e;
     const vector& a = jumps_[i].normal;
-    return stabilisation*material_.mu()*e + material_.lambda()*a*(a & e);
+    return stiffness(i)*material_.mu()*e + material_.lambda()*a*(a & e);
 }
 
 
@@ -77,9 +86,12 @@ Foam::vector Foam::fsbi::fourthOrderElastic::heldTangent(const label i) const
     const vector& a = jumps_[i].normal;
     const vector de(unexplained(i, along_));
     const vector n(normalised(stencil_.area()[i]));
-    const vector da(cofactorTangent(jumps_[i].F, meanGradient(i, along_)) & n);
+    const tensor dF(meanGradient(i, along_));
+    const vector da(cofactorTangent(jumps_[i].F, dF) & n);
+    const scalar dStiffness =
+        material_.linear() ? 0 : strainStiffeningTangent(jumps_[i].F, dF);
     return
-        stabilisation*material_.mu()*de
+        material_.mu()*(stiffness(i)*de + dStiffness*e)
       + material_.lambda()*(da*(a & e) + a*((da & e) + (a & de)));
 }
 

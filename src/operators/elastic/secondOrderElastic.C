@@ -6,6 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "secondOrderElastic.H"
 #include "asVectors.H"
 #include "sharedVertices.H"
+#include "strainStiffening.H"
 
 namespace Foam
 {
@@ -19,10 +20,6 @@ namespace fsbi
 //  are 3.6, 1.9496 with 0.7; 5.4, 1.951 with 0.72; 0.9, 1.954 with 0.75, where
 //  both errors cancel on coarse cells. Below 0.5 it is not stable
 static const scalar stabilisation = 0.72;
-
-//- Growth of the stabilisation with the strain: compression of the order of
-//  mu would buckle what it holds. None at small strain
-static const scalar strainStabilisation = 4;
 
 //- Smoothing of the pressure: larger is smoother, and less local
 static const scalar smoothingScale = 1;
@@ -129,10 +126,8 @@ void Foam::fsbi::secondOrderElastic::setStiffening()
 {
     forAll(stiffening_, v)
     {
-        const tensor& F = state_.deformation()[v];
-        const scalar q = mag(symm(F.T() & F) - symmTensor::I);
         stiffening_[v] =
-            material_.linear() ? 0 : strainStabilisation*sqr(q)/(1 + q);
+            material_.linear() ? 0 : strainStiffening(state_.deformation()[v]);
     }
 }
 
@@ -142,15 +137,10 @@ Foam::scalar Foam::fsbi::secondOrderElastic::stiffeningTangent
     const label v, const tensor& dF
 ) const
 {
-    if (material_.linear())
-    {
-        return 0;
-    }
-    const tensor& F = state_.deformation()[v];
-    const symmTensor strain(symm(F.T() & F) - symmTensor::I);
-    const scalar q = mag(strain);
     return
-        strainStabilisation*(2 + q)/sqr(1 + q)*2*(strain && symm(F.T() & dF));
+        material_.linear()
+      ? 0
+      : strainStiffeningTangent(state_.deformation()[v], dF);
 }
 
 

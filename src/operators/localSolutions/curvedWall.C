@@ -6,6 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "curvedWall.H"
 #include "EdgeMap.H"
 #include "noTurn.H"
+#include "symmetryPlanePolyPatch.H"
 #include "syncTools.H"
 
 namespace Foam
@@ -194,6 +195,32 @@ void Foam::fsbi::curvedWall::setAround()
 }
 
 
+void Foam::fsbi::curvedWall::mirror
+(
+    const label patchi, vectorField& normal
+) const
+{
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        if (pp.index() == patchi || !isA<symmetryPlanePolyPatch>(pp))
+        {
+            continue;
+        }
+        const vector n(refCast<const symmetryPlanePolyPatch>(pp).n());
+        boolList onPlane(mesh_.nPoints(), false);
+        UIndirectList<bool>(onPlane, pp.meshPoints()) = true;
+        syncTools::syncPointList(mesh_, onPlane, orEqOp<bool>(), false);
+        forAll(onPlane, v)
+        {
+            if (onPlane[v])
+            {
+                normal[v] -= n*(n & normal[v]);
+            }
+        }
+    }
+}
+
+
 Foam::vectorField Foam::fsbi::curvedWall::normals(const label patchi)
 {
     const polyPatch& pp = mesh_.boundaryMesh()[patchi];
@@ -212,6 +239,7 @@ Foam::vectorField Foam::fsbi::curvedWall::normals(const label patchi)
         }
     }
     syncTools::syncPointList(mesh_, normal, plusEqOp<vector>(), vector::zero);
+    mirror(patchi, normal);
     normal /= mag(normal) + VSMALL;
     forAll(pp, i)
     {

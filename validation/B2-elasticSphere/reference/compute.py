@@ -69,6 +69,17 @@ def branches():
               f"Steady shapes at nu {NU}, by their deformation; semi-axes over the radius")
 
 
+def compressible():
+    rows = []
+    for nu in (0.3, 0.49):
+        x = None
+        for Ca in (0.02, 0.05, 0.1, 0.2, 0.3, 0.4):
+            x = ellipsoid.steady(NeoHookean(nu), Ca, x)
+            rows.append([nu, Ca, *shape(x)[:2]])
+    write("compressible.csv", ["nu", "Ca", "D", "theta_deg"], rows,
+          "Steady shape, neo-Hookean")
+
+
 def fold():
     rows = [[nu, *ellipsoid.fold(StVenantKirchhoff(nu), 0.01)] for nu in (0, NU, 0.3, 0.45)]
     write("fold.csv", ["nu", "Ca", "D"], rows,
@@ -100,5 +111,5 @@ def surface():
 
 
 if __name__ == "__main__":
-    for part in (steady, start_up, branches, fold, convergence, surface):
+    for part in (steady, start_up, branches, compressible, fold, convergence, surface):
         part()
