@@ -416,15 +416,21 @@ Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::conformalMesher::refined
 ) const
 {
     // nothing holds the flow back at an open patch
+    DynamicList<point> corners;
     DynamicList<triFace> walls;
     forAll(wallPatches_, i)
     {
         if (isA<wallPolyPatch>(domain_.boundaryMesh()[wallPatches_[i]]))
         {
-            walls.append(walls_.triangles()[i]);
+            const label n = corners.size();
+            walls.append(triFace(n, n + 1, n + 2));
+            for (const label p : walls_.triangles()[i])
+            {
+                corners.append(walls_.points()[p] + shift);
+            }
         }
     }
-    const surfaceDistance toWalls(walls_.points() + shift, walls);
+    const surfaceDistance toWalls(corners, walls);
     return refinedInGaps(bodies, shapes, toWalls, controls_.gapSag);
 }
 
