@@ -44,9 +44,9 @@ bool Foam::fsbi::fluidMesh::refines() const
 }
 
 
-Foam::scalar Foam::fsbi::fluidMesh::resolvedGap() const
+Foam::scalar Foam::fsbi::fluidMesh::resolvedGap(const bool cut) const
 {
-    if (refines())
+    if (cut)
     {
         return narrowestGap(finestEdge());
     }
@@ -57,6 +57,37 @@ Foam::scalar Foam::fsbi::fluidMesh::resolvedGap() const
             controls.minSize > 0
           ? controls.minSize
           : remeshControls::finestPart*finestEdge()
+        );
+}
+
+
+Foam::string Foam::fsbi::fluidMesh::unresolved(const scalar gap) const
+{
+    if (gap >= resolvedGap(false))
+    {
+        return string();
+    }
+    const bool atWall = smallestGap(walls_) <= gap;
+    const bool cut = refines() && atWall;
+    if (gap >= resolvedGap(cut))
+    {
+        return string();
+    }
+    return
+        "A gap of " + Foam::name(gap) + " is narrower than the "
+      + Foam::name(resolvedGap(cut))
+      + (
+            cut
+          ? " that triangles are cut for"
+          : " that have cellsPerGap cells of minSize across"
+        )
+      + ": the flow in it is not resolved (system/remeshDict; shape size in"
+        " constant/bodies"
+      + (
+            atWall
+          ? ")"
+          : "; it is at a patch that is not of type wall in"
+            " system/blockMeshDict, where no triangle is cut)"
         );
 }
 
@@ -79,7 +110,7 @@ Foam::string Foam::fsbi::fluidMesh::closingGap() const
 Foam::string Foam::fsbi::fluidMesh::narrowGap() const
 {
     const scalar gap = smallestGap();
-    if (gap >= resolvedGap())
+    if (unresolved(gap).empty())
     {
         return string();
     }

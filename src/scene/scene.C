@@ -346,9 +346,9 @@ Foam::List<Foam::fsbi::unseenPatch> Foam::fsbi::scene::unseen() const
 }
 
 
-Foam::scalar Foam::fsbi::scene::resolvedGap() const
+Foam::string Foam::fsbi::scene::unresolved(const scalar gap) const
 {
-    return fluid_ ? fluid_->meshing().resolvedGap() : 0;
+    return fluid_ ? fluid_->meshing().unresolved(gap) : string();
 }
 
 

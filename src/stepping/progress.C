@@ -122,15 +122,12 @@ void Foam::fsbi::progress::reportTurn(const scene& scene)
 
 void Foam::fsbi::progress::reportGap(const scene& scene)
 {
-    if (gapTold_ || gap_ > 0.1*GREAT || gap_ >= scene.resolvedGap())
+    const string text(gapTold_ ? string() : scene.unresolved(gap_));
+    if (text.size())
     {
-        return;
+        Info<< text.c_str() << endl;
+        gapTold_ = true;
     }
-    Info<< "A gap of " << gap_ << " is narrower than the " << scene.resolvedGap()
-        << " that have cellsPerGap cells of minSize across: the flow in it is"
-        << " not resolved (system/remeshDict; shape size in constant/bodies)"
-        << endl;
-    gapTold_ = true;
 }
 
 

@@ -116,8 +116,9 @@ class Flow:
         faces = dict(upstream=(0, 4, 7, 3), downstream=(1, 2, 6, 5),
                      bottom=(0, 1, 5, 4), top=(3, 7, 6, 2), back=(0, 3, 2, 1),
                      front=(4, 5, 6, 7))
-        patches = " ".join(f"{name} {{ type patch; faces ({text(face)}); }}"
-                           for name, face in faces.items())
+        patches = " ".join(
+            f"{name} {{ type {'wall' if self.floor and name == 'bottom' else 'patch'}; "
+            f"faces ({text(face)}); }}" for name, face in faces.items())
         return {"scale": 1, "vertices": text(corners),
                 "blocks": f"(hex (0 1 2 3 4 5 6 7) {text(cells)} simpleGrading (1 1 1))",
                 "boundary": f"({patches})"}

@@ -239,6 +239,11 @@ int main(int argc, char *argv[])
             << "fsbiResistance needs a scene with rigid bodies, and with no"
             << " elastic ones" << exit(FatalError);
     }
+    const string unresolved(scene.unresolved(scene.smallestGap()));
+    if (unresolved.size())
+    {
+        Info<< unresolved.c_str() << endl;
+    }
     if (args.found("tractions"))
     {
         loadsAt(scene, scalarField(6*scene.bodies().rigid.size(), Zero));
