@@ -449,6 +449,13 @@ void Foam::fsbi::rigidBody::settle()
 }
 
 
+void Foam::fsbi::rigidBody::stand(const placement& p)
+{
+    now_.centre = p.centre;
+    now_.orientation = p.orientation;
+}
+
+
 void Foam::fsbi::rigidBody::beginStep()
 {
     old_ = now_;

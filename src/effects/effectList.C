@@ -172,6 +172,39 @@ Foam::scalar Foam::fsbi::effectList::nextInstant() const
 }
 
 
+bool Foam::fsbi::effectList::steep() const
+{
+    for (const effect& e : effects_)
+    {
+        if (e.steep())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+Foam::scalar Foam::fsbi::effectList::clearPart
+(
+    const std::function<void(const scalar)>& place
+) const
+{
+    scalar clear = 1;
+    for (const effect& e : effects_)
+    {
+        auto timer = timings_.profileMemory(e.type());
+        const scalar before = clear;
+        clear *= e.clearPart
+        (
+            [&](const scalar part) { place(before*part); }
+        );
+    }
+    place(clear);
+    return clear;
+}
+
+
 Foam::fsbi::outcome Foam::fsbi::effectList::acceptable() const
 {
     for (const effect& e : effects_)

@@ -430,7 +430,7 @@ Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::conformalMesher::refined
             }
         }
     }
-    const surfaceDistance toWalls(corners, walls);
+    const surfaceDistance toWalls(pointField(corners), walls);
     return refinedInGaps(bodies, shapes, toWalls, controls_.gapSag);
 }
 
@@ -494,6 +494,17 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
         setPatches(bodyNames, mesh);
     }
     return mesh;
+}
+
+
+Foam::fsbi::outcome Foam::fsbi::conformalMesher::placed
+(
+    const wordList& names,
+    const UList<bodySurface>& bodies,
+    const vector& shift
+) const
+{
+    return placed(names, bodies, walls_.transformed(tensor::I, shift).bounds());
 }
 
 

@@ -243,6 +243,11 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::heal
     }
     if (Pstream::master() && whole.valid())
     {
+        whole.failure =
+            mesher_->placed(namesOf(bodies_), surfaces, shift()).reason;
+    }
+    if (Pstream::master() && whole.valid())
+    {
         whole.failure = fsbi::heal
         (
             whole, limits, fresh_,

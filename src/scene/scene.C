@@ -48,10 +48,8 @@ Foam::List<Foam::fsbi::bodyRows> Foam::fsbi::scene::bodyRowsNow() const
 }
 
 
-Foam::fsbi::outcome Foam::fsbi::scene::solveFluid()
+Foam::fsbi::outcome Foam::fsbi::scene::solveRows(List<bodyRows>& rows)
 {
-    const untrapped scope;
-    List<bodyRows> rows(bodyRowsNow());
     List<sixVector> loads;
     const label before = report_.iterations;
     report_ = fluid_->solve(rows, loads);
@@ -94,7 +92,7 @@ void Foam::fsbi::scene::take
     forAll(rows, b)
     {
         bodies_.rigid[b].set(rows[b].velocity, loads[b]);
-        if (effects_ && fluid_->acting().stiff(b))
+        if (effects_ && ((steep() && !coupling_) || fluid_->acting().stiff(b)))
         {
             bodies_.rigid[b].settle();
         }
@@ -205,6 +203,15 @@ void Foam::fsbi::scene::placeBodies()
     for (prescribedBody& body : bodies_.prescribed)
     {
         body.advance(time_.value(), time_.deltaTValue());
+    }
+    if (steep())
+    {
+        List<placement> before(bodies_.rigid.size());
+        forAll(before, b)
+        {
+            before[b] = bodies_.rigid[b].before();
+        }
+        keepApart(before);
     }
 }
 

@@ -1,0 +1,421 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "contact.H"
+#include "addToRunTimeSelectionTable.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+defineTypeNameAndDebug(contact, 0);
+addToRunTimeSelectionTable(effect, contact, entries);
+
+//- Edges of parts of triangles over the radius of a sphere's zone in range
+static const scalar finest = 0.15;
+
+//- Of a body's triangles, whatever the range: a million parts
+static const label mostDivisions = 64;
+
+//- Part of the distance between surfaces that a way must leave
+static const scalar left = 0.3;
+
+//- Ways are looked at in pieces of this part of the smallest body, as surfaces
+//  that have passed through each other look as if they were apart
+static const scalar piece = 0.5;
+static const label mostPieces = 1000;
+
+//- Halvings of the piece in which the way ends
+static const label halvings = 12;
+
+//- Step of the difference for a shape's normal, in radii: an error of 1e-8
+static const scalar small = 1e-4;
+
+//- Normal of a body's described shape at a point of it
+static vector normalOf(const immersedBody& body, const point& on)
+{
+    const vector out(on - body.placed().centre);
+    const scalar h = small*body.radius();
+    const vector a(currentSurfaces::along(out/mag(out)));
+    const vector b(vector(normalised(out)) ^ a);
+    const vector n
+    (
+        (body.onShape(on + h*a) - body.onShape(on - h*a))
+      ^ (body.onShape(on + h*b) - body.onShape(on - h*b))
+    );
+    return normalised((n & out) < 0 ? -n : n);
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::fsbi::contact::contact
+(
+    const dictionary& dict, const effectContext& context
+)
+:
+    effect(context),
+    gap_(checkedDictionary(dict).positive("gap")),
+    range_(checkedDictionary(dict).positive("range", gap_)),
+    pressure_(checkedDictionary(dict).positive("pressure"))
+{
+    const checkedDictionary entries(dict);
+    for (const word key : {"gap", "range", "pressure", "libs"})
+    {
+        entries.found(key);
+    }
+    entries.finish();
+    reportUnseen("Bodies have no contact with", context_.unseen);
+    setDivisions();
+
+    const outcome now(acceptable());
+    if (!now)
+    {
+        FatalIOErrorInFunction(dict)
+            << "At the start, " << now.reason.c_str() << exit(FatalIOError);
+    }
+}
+
+
+void Foam::fsbi::contact::setDivisions()
+{
+    divisions_.setSize(context_.bodies.size());
+    forAll(divisions_, b)
+    {
+        const immersedBody& body = context_.bodies[b];
+        const scalar edge =
+            finest*Foam::sqrt(2*min(body.radius(), GREAT)*range_);
+        divisions_[b] = max
+        (
+            label(1),
+            min
+            (
+                mostDivisions,
+                label(std::ceil(body.placedSurface().meanEdge()/edge))
+            )
+        );
+    }
+}
+
+
+bool Foam::fsbi::contact::face
+(
+    const currentSurfaces& now, const label other, const scalar reach,
+    facing& f
+) const
+{
+    f.otherTriangle = -1;
+    if (now.isWall(other))
+    {
+        f.distance = now.wall(other).distance(f.site);
+        f.normal = now.wall(other).normal;
+    }
+    else if (context_.bodies[other].hasShape())
+    {
+        const immersedBody& body = context_.bodies[other];
+        const point on(body.onShape(f.site));
+        f.normal = normalOf(body, on);
+        f.distance = (f.site - on) & f.normal;
+    }
+    else
+    {
+        currentSurfaces::contact c;
+        if (!now.find(other, f.site, reach, c))
+        {
+            return false;
+        }
+        const bodySurface& s = now.surface(other);
+        const vector outwards
+        (
+            s.triangles()[c.triangle].tri(s.points()).areaNormal()
+        );
+        const scalar side = (c.normal & outwards) < 0 ? -1 : 1;
+        f.distance = side*c.gap;
+        f.normal = side*c.normal;
+        f.otherTriangle = c.triangle;
+    }
+    f.nearest = f.site - f.distance*f.normal;
+    return f.distance < reach;
+}
+
+
+void Foam::fsbi::contact::divide
+(
+    const currentSurfaces& now,
+    const label body,
+    const label other,
+    const label triangle,
+    const scalar reach,
+    const visitor& visit
+) const
+{
+    const immersedBody& b = context_.bodies[body];
+    const bodySurface& s = now.surface(body);
+    const triFace& t = s.triangles()[triangle];
+    const point& origin = s.points()[t[0]];
+    const label n = divisions_[body];
+    const vector u((s.points()[t[1]] - origin)/n);
+    const vector v((s.points()[t[2]] - origin)/n);
+    const auto part = [&](const scalar i, const scalar j, const scalar side)
+    {
+        const auto place = [&](const scalar k, const scalar m)
+        {
+            const point flat(origin + k*u + m*v);
+            return b.hasShape() ? b.onShape(flat) : flat;
+        };
+        facing f;
+        f.triangle = triangle;
+        f.site = place(i + side/3, j + side/3);
+        if (face(now, other, reach, f))
+        {
+            const point corner(place(i, j));
+            f.area =
+                0.5*mag
+                (
+                    (place(i + side, j) - corner)
+                  ^ (place(i, j + side) - corner)
+                );
+            visit(f);
+        }
+    };
+    for (label i = 0; i < n; ++i)
+    {
+        for (label j = 0; i + j < n; ++j)
+        {
+            part(i, j, 1);
+            if (i + j < n - 1)
+            {
+                part(i + 1, j + 1, -1);
+            }
+        }
+    }
+}
+
+
+void Foam::fsbi::contact::search
+(
+    const currentSurfaces& now,
+    const label body,
+    const label other,
+    const scalar reach,
+    const visitor& visit
+) const
+{
+    const bodySurface& s = now.surface(body);
+    const auto longest = [&](const triFace& t)
+    {
+        const point& a = s.points()[t[0]];
+        const point& b = s.points()[t[1]];
+        const point& c = s.points()[t[2]];
+        return Foam::sqrt(max(magSqr(a - b), max(magSqr(b - c), magSqr(c - a))));
+    };
+    boundBox box(boundBox::greatBox);
+    if (!now.isWall(other))
+    {
+        box = now.surface(other).bounds();
+    }
+    forAll(s.triangles(), t)
+    {
+        // no point of a triangle is farther from its centre than two thirds of
+        // its longest edge, nor is the shape above it
+        const scalar near = reach + longest(s.triangles()[t]);
+        boundBox around(box);
+        around.min() -= near*vector::one;
+        around.max() += near*vector::one;
+        facing f;
+        f.site = now.centroid(body, t);
+        if (around.contains(f.site) && face(now, other, near, f))
+        {
+            divide(now, body, other, t, reach, visit);
+        }
+    }
+}
+
+
+void Foam::fsbi::contact::push
+(
+    const currentSurfaces& now,
+    const label body,
+    const label other,
+    const facing& f,
+    loads& l
+) const
+{
+    const scalar s = (f.distance - gap_)/range_;
+    const scalar k = 0.2*pressure_*f.area*(now.isWall(other) ? 1 : 0.5);
+    const auto site = [&](const label on, const label tri, const point& x)
+    {
+        const bodySurface& surface = now.surface(on);
+        return loads::site
+        {
+            on, tri, x - context_.bodies[on].placed().centre,
+            tri < 0
+          ? vector::one/3
+          : materialPoint::nearest
+            (
+                tri, x, surface.points(), surface.triangles()
+            ).weights()
+        };
+    };
+    l.add
+    (
+        {
+            site(body, f.triangle, f.site),
+            now.isWall(other)
+          ? loads::site() : site(other, f.otherTriangle, f.nearest),
+            k*(1 - 3/sqr(s) + 2/pow3(s))*f.normal,
+            6*k*(1 - s)/(pow4(s)*range_)*tensor(sqr(f.normal))
+        }
+    );
+}
+
+
+void Foam::fsbi::contact::apply(loads& l) const
+{
+    const currentSurfaces now(context_);
+    forAll(context_.bodies, a)
+    {
+        for (label b = 0; b < now.size(); ++b)
+        {
+            if (a != b)
+            {
+                search
+                (
+                    now, a, b, gap_ + range_,
+                    [&](const facing& f) { push(now, a, b, f, l); }
+                );
+            }
+        }
+    }
+}
+
+
+Foam::scalar Foam::fsbi::contact::smallest(string& names) const
+{
+    const currentSurfaces now(context_);
+    scalar nearest = range_;
+    forAll(context_.bodies, a)
+    {
+        for (label b = 0; b < now.size(); ++b)
+        {
+            if (a == b)
+            {
+                continue;
+            }
+            search
+            (
+                now, a, b, gap_ + nearest, [&](const facing& f)
+                {
+                    if (f.distance - gap_ < nearest)
+                    {
+                        nearest = f.distance - gap_;
+                        names =
+                            "'" + now.name(a) + "' and '" + now.name(b) + "'";
+                    }
+                }
+            );
+        }
+    }
+    return nearest;
+}
+
+
+Foam::List<Foam::pointField> Foam::fsbi::contact::positions() const
+{
+    List<pointField> all(context_.bodies.size());
+    forAll(all, b)
+    {
+        all[b] = context_.bodies[b].placedSurface().points();
+    }
+    return all;
+}
+
+
+Foam::scalar Foam::fsbi::contact::clearPart
+(
+    const std::function<void(const scalar)>& place
+) const
+{
+    string names;
+    place(1);
+    const List<pointField> to(positions());
+    place(0);
+    const List<pointField> from(positions());
+    const scalar least = left*smallest(names);
+    scalar farthest = 0, thinnest = GREAT;
+    forAll(to, b)
+    {
+        farthest = max(farthest, Foam::sqrt(gMax(magSqr(to[b] - from[b]))));
+        thinnest = min(thinnest, boundBox(from[b], false).minDim());
+    }
+    const auto clear = [&](const scalar part)
+    {
+        place(part);
+        return smallest(names) >= least;
+    };
+    const label n =
+        min(scalar(mostPieces), 1 + std::floor(farthest/(piece*thinnest)));
+    for (label i = 1; i <= n; ++i)
+    {
+        if (clear(scalar(i)/n))
+        {
+            continue;
+        }
+        scalar good = scalar(i - 1)/n, bad = scalar(i)/n;
+        for (label k = 0; k < halvings; ++k)
+        {
+            const scalar middle = 0.5*(good + bad);
+            (clear(middle) ? good : bad) = middle;
+        }
+        place(good);
+        return good;
+    }
+    place(1);
+    return 1;
+}
+
+
+Foam::fsbi::outcome Foam::fsbi::contact::acceptable() const
+{
+    string names;
+    const scalar distance = smallest(names);
+    return
+        distance > 0
+      ? outcome()
+      : outcome::failed
+        (
+            "the distance between " + names + " is " + name(distance + gap_)
+          + ", less than the gap " + name(gap_) + " of contact"
+        );
+}
+
+
+void Foam::fsbi::contact::declare(recording& history) const
+{
+    history.declare
+    (
+        "contact/nearest", {"distance", "force"},
+        "L, gap + range if larger; M L/T2, sum of the magnitudes"
+    );
+}
+
+
+void Foam::fsbi::contact::record(recording& history) const
+{
+    string names;
+    loads acting{List<List<triFace>>(context_.bodies.size())};
+    apply(acting);
+    scalar sum = 0;
+    for (const loads::spring& s : acting.springs())
+    {
+        sum += mag(s.force);
+    }
+    history.append
+    (
+        "contact/nearest", scalarList({smallest(names) + gap_, sum})
+    );
+}
