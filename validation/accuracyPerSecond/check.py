@@ -129,7 +129,7 @@ def against_peer(fourth, elements):
 
 def of_order4(fourth):
     for row in fourth:
-        # bound: the project's goal: 45 at most from 2 000 cells to 300 000 and more
+        # bound: the project's goal: 45 at most from 2 000 cells to a million
         results.add("iterations_order4_abs", row["iterations"], 0, 45, cells=row["cells"],
                     seconds=row["seconds"], variant=f"{row['cells']}")
 
