@@ -156,7 +156,7 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
         }
     }
     const solverReport report(improve(x));
-    if (system_->linear())
+    if (system_->linear() && report.converged)
     {
         previous_.add(x);
     }
