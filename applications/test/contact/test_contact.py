@@ -23,7 +23,7 @@ def force(nearest, curvatures):
     # between two each side has half of the gap's widening
     def ring(d):
         return pressure(d) * 2 * np.pi * (RADIUS - (d - nearest) / curvatures) / curvatures
-    return quad(ring, nearest, GAP + RANGE, epsabs=0, epsrel=1e-10)[0]
+    return quad(ring, nearest, GAP + RANGE, epsabs=1e-12, epsrel=1e-10)[0]
 
 
 def energy(nearest):
@@ -60,13 +60,20 @@ def test_rests_there_in_steps_of_any_length(run):
     assert abs(distances(run)[-1] - distances("step500")[-1]) < bound * 2e-3 / LOAD_ERROR
 
 
-@pytest.mark.parametrize("run", ["step50", "step500", "step5000"])
-def test_loses_energy_only(run):
-    h = distances(run)
+@pytest.mark.parametrize("step", [50, 500, 5000])
+def test_loses_energy_only(step):
+    h = distances(f"step{step}")
     assert (h > GAP).all()
-    spent = np.array([energy(x) for x in h])
-    # bound: loads that agree to 1e-3, on the way of a step
-    assert (np.diff(spent) < 1e-3 * LOAD * np.abs(np.diff(h)) + 1e-9 * LOAD).all()
+    gained = np.diff([energy(x) for x in h])[1:]
+    way = np.diff(h)
+    # bound: BDF2 goes on by a third of the last way: x' - x = way/3 + 2/3 dt v, and of
+    # a convex energy E' - E < -drag v (x' - x), which is at most drag way^2/(24 dt);
+    # drag near a wall is below Stokes' times 1 + radius/distance. And loads agree to
+    # 1e-3 only
+    drag = 6 * np.pi * RADIUS * (1 + RADIUS / h[1:-1])
+    allowed = drag * way[:-1]**2 / (24 * step) + 1e-3 * LOAD * np.abs(way[1:])
+    assert (gained < allowed + 1e-9 * LOAD * RANGE).all()
+    assert gained.sum() < 0
 
 
 def test_two_spheres_rest_on_each_other():
