@@ -39,7 +39,6 @@ static const label sample = 2000;
 //- Part of the points that may have other sizes
 static const scalar fewPoints = 0.02;
 
-
 } // End namespace fsbi
 } // End namespace Foam
 
