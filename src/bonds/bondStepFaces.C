@@ -14,7 +14,7 @@ Foam::scalar Foam::fsbi::bondStep::smallestGap
     // an edge of one surface against an edge of the other is left out
     scalar smallest = reach;
     bool some = false;
-    currentSurfaces::contact at;
+    currentSurfaces::nearestPoint at;
     for (const label turned : {0, 1})
     {
         for (const point& x : surfaces_.surface(turned ? b : a).points())

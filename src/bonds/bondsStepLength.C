@@ -65,7 +65,7 @@ Foam::scalar Foam::fsbi::bonds::approachTime
        *(now.fastest(s.body) + now.fastest(other));
 
     scalar longest = GREAT;
-    currentSurfaces::contact at;
+    currentSurfaces::nearestPoint at;
     for (const materialPoint& site : s.sites)
     {
         const point x(now.position(s.body, site));

@@ -123,7 +123,7 @@ bool Foam::fsbi::contact::face
     }
     else
     {
-        currentSurfaces::contact c;
+        currentSurfaces::nearestPoint c;
         if (!now.find(other, f.site, reach, c))
         {
             return false;

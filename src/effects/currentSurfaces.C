@@ -119,7 +119,7 @@ Foam::scalar Foam::fsbi::currentSurfaces::fastest(const label surface) const
 
 bool Foam::fsbi::currentSurfaces::find
 (
-    const label surface, const point& x, const scalar reach, contact& c
+    const label surface, const point& x, const scalar reach, nearestPoint& c
 ) const
 {
     if (isWall(surface))
@@ -146,7 +146,7 @@ bool Foam::fsbi::currentSurfaces::find
 
 Foam::fsbi::materialPoint Foam::fsbi::currentSurfaces::there
 (
-    const label surface, const contact& c
+    const label surface, const nearestPoint& c
 ) const
 {
     if (isWall(surface))
@@ -165,12 +165,12 @@ Foam::fsbi::materialPoint Foam::fsbi::currentSurfaces::away
 (
     const label body,
     const point& x,
-    const contact& c,
+    const nearestPoint& c,
     const vector& direction,
     const scalar distance
 ) const
 {
-    contact at;
+    nearestPoint at;
     const auto project = [&](const scalar rho)
     {
         find(body, c.nearest + rho*direction, GREAT, at);

@@ -32,7 +32,7 @@ static bool nearBody
     neighbour& n
 )
 {
-    currentSurfaces::contact c;
+    currentSurfaces::nearestPoint c;
     if (!now.find(other, n.centre, reach, c))
     {
         return false;

@@ -306,7 +306,7 @@ static scalar exactNumber(const bonds& b, const currentSurfaces& now)
 
     std::map<molecule, label> number;
     std::vector<std::map<label, scalar>> ratios;
-    currentSurfaces::contact at;
+    currentSurfaces::nearestPoint at;
     for (const materialPoint& site : set.sites)
     {
         const point x(now.position(set.body, site));
