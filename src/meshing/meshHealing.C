@@ -25,7 +25,7 @@ static const label mostSweeps = 3;
 static const scalar lowest = 50;
 
 //- Degrees by which the mean non-orthogonality may be above the last whole mesh's
-static const scalar drift = 0.7;
+static const scalar drift = 0.3;
 
 //- Factor between lengths of edges and those wanted
 static const scalar sizeFactor = 1.5;
