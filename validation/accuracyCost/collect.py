@@ -30,9 +30,11 @@ CASES = {
     "tumourCellPassesLeukocyte": "S10: path and shape before they meet; no exact solution",
     "helix": "S7: resistance, boundary integrals",
 }
+# tumourCellInShearBefore.csv: the same study with the code of commit 4a0e222, before steps
+# began from earlier solutions; the place of its figures is this comparison only
 METHODS = {
-    "free sphere in shear": (["tumourCellInShear", "tumourCellInShearOrder4"],
-                             "order-2 order-4"),
+    "free sphere in shear": (["tumourCellInShear", "tumourCellInShearOrder4",
+                              "tumourCellInShearBefore"], "order-2 order-4 order-2-before"),
     "drag of a sphere": (["dragCoupled", "dragSIMPLEC"], "coupled SIMPLEC"),
     "flexed beam": (["beamNewtonKrylov", "beamSegregated"], "NewtonKrylov segregated"),
     "soft cell in a flow": (["schemeMonolithic", "schemeIQNILS", "schemeSemiImplicit"],
