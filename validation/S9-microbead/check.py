@@ -43,7 +43,7 @@ def fourth_order(runs, step=2000):
     cost = dict(seconds=run.seconds, cells=run.cells)
     results.add(f"tether_plus_force_order4_dt{step}_abs", imbalance(run), 0, 1e-6, **cost)
     effort = run.history["cost"]
-    # bound: asked for: a hundred at every stiffness and step. Healed meshes took 160
+    # bound: asked for: a hundred at every stiffness and step
     results.add("iterations_a_correction_order4_abs",
                 (effort["iterations"] / effort["corrections"]).max(), 0, 100, **cost)
     for name in AXES:
