@@ -181,6 +181,25 @@ def range_order4():
         iterations_order4("ratio", run, dict(cells=run.cells, variant=variant))
 
 
+def sizes_order4():
+    """At a strain of 0.3, on 6 000 and on 22 000 cells."""
+    exact = {row["Ca"]: row for row in reference("reference/compressible.csv")
+             if row["nu"] == 0.49}
+    errors = []
+    # bounds: asked for at 6 000 and at 22 000 cells; degrees by fourth order
+    for size, bound in (0.36, 0.005), (0.2, 0.001):
+        run = Case(f"runs/size{size}.Ca0.2")
+        _, D, angle = run.shape("cell")
+        cost = dict(cells=run.cells, variant=f"size{size}")
+        results.add("size_order4", D[-1], exact[0.2]["D"], bound, seconds=run.seconds, **cost)
+        results.add("size_angle_order4_abs", angle[-1], exact[0.2]["theta_deg"],
+                    0.1 * (size / 0.2)**4, **cost)
+        errors.append(abs(D[-1] / exact[0.2]["D"] - 1))
+        iterations_order4("size", run, cost)
+    # bound: asked for
+    results.at_least("size_order4_order", orders((0.36, 0.2), errors)[0], 3)
+
+
 def iterations_order4(name, run, cost):
     # bounds: asked for at every stiffness, and that of each of Newton's steps
     record = run.history["cost"]
@@ -333,6 +352,7 @@ def main():
         growth(order())
         start_up()
         range_order4()
+        sizes_order4()
     turns()
     softening()
     results.write()

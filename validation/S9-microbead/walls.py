@@ -17,16 +17,25 @@ results = Results("S9")
 errors = []
 
 
+def imbalance(run, edge):
+    """|walls + tether| over the tether."""
+    force = wall_force(run.folder + "/4000/fluid", rate=5e-5, mu=1,
+                       walls=("bottomWall", "topWall", "sides"))
+    tether = run.history["elasticBodies/microbead/tether"].array[-1, 1:]
+    print(f"    edges of {edge} um, {run.folder}: walls {1e3 * force}, tether {1e3 * tether} pN")
+    return np.linalg.norm(force + tether) / np.linalg.norm(tether)
+
+
 def main():
     for edge, run in zip(EDGES, cases("runs/walls*")):
-        force = wall_force(run.folder + "/4000/fluid", rate=5e-5, mu=1,
-                           walls=("bottomWall", "topWall", "sides"))
-        tether = run.history["elasticBodies/microbead/tether"].array[-1, 1:]
-        errors.append(np.linalg.norm(force + tether) / np.linalg.norm(tether))
+        errors.append(imbalance(run, edge))
         # bound: a sum over walls by second order fits, (edge/radius)^2, factor 1
         results.add(f"walls_plus_tether_edge{edge:g}_abs", errors[-1], 0, (edge / RADIUS)**2,
                     seconds=run.seconds, cells=run.cells)
-        print(f"    edges of {edge} um: walls {1e3 * force}, tether {1e3 * tether} pN")
+    for edge, error, run in zip(EDGES, errors, cases("runs/order4.walls*")):
+        # bound: asked for: errors four times smaller on equal cells
+        results.add(f"walls_plus_tether_order4_over_order2_edge{edge:g}_abs",
+                    imbalance(run, edge) / error, 0, 0.25, seconds=run.seconds, cells=run.cells)
     if len(errors) == len(EDGES):
         # bound: second order in theory; 0.2 for meshes that are not similar
         results.at_least("walls_plus_tether_order",

@@ -17,17 +17,22 @@ CASES = {
     "tumourCellInShearOrder4": "the same by order 4",
     "tumourCellInUniformFlow": "S5: velocity while set in motion, exact",
     "softCellInShear": "B2: shape of an elastic sphere, exact if incompressible",
+    "softCellInShearOrder4": "the same by order 4, steps four times as long",
     "beamFlexure": "S3: displacement and stress, exact",
+    "beamFlexureOrder4": "the same by order 4",
     "dragCoupled": "B1: drag, exact; coupled", "dragSIMPLEC": "the same; SIMPLEC",
     "beamNewtonKrylov": "S3, solver's tolerance 1e-4; NewtonKrylov",
     "beamSegregated": "the same; segregated",
     "schemeMonolithic": "soft cell, error of the coupling; monolithic",
     "schemeIQNILS": "the same; IQN-ILS", "schemeSemiImplicit": "the same; semi-implicit",
     "microbeadTethered": "S9: longest axis and drag; no exact solution",
+    "microbeadTetheredOrder4": "the same by order 4, steps four times as long",
     "beamSelfWeight": "S2: displacement and stress, exact",
     "microbeadInGradient": "a bead pulled by coils: its path, exact without walls",
     "rollingLeukocyteShape": "S1: mean drag and torque; no exact solution",
     "tumourCellPassesLeukocyte": "S10: path and shape before they meet; no exact solution",
+    "tumourCellPassesLeukocyteOrder4":
+        "the same by order 4, steps four times as long",
     "helix": "S7: resistance, boundary integrals",
 }
 # tumourCellInShearBefore.csv: the same study with the code of commit 4a0e222, before steps
@@ -36,7 +41,9 @@ METHODS = {
     "free sphere in shear": (["tumourCellInShear", "tumourCellInShearOrder4",
                               "tumourCellInShearBefore"], "order-2 order-4 order-2-before"),
     "drag of a sphere": (["dragCoupled", "dragSIMPLEC"], "coupled SIMPLEC"),
-    "flexed beam": (["beamNewtonKrylov", "beamSegregated"], "NewtonKrylov segregated"),
+    "flexed beam": (["beamNewtonKrylov", "beamSegregated", "beamFlexureOrder4"],
+                    "NewtonKrylov segregated order-4"),
+    "soft cell in shear": (["softCellInShear", "softCellInShearOrder4"], "order-2 order-4"),
     "soft cell in a flow": (["schemeMonolithic", "schemeIQNILS", "schemeSemiImplicit"],
                             "monolithic IQN-ILS semi-implicit"),
 }

@@ -11,12 +11,13 @@ import sys
 import numpy as np
 
 import passes
-from fsbi import plots
+from fsbi import ellipsoid, plots
 from fsbi.case import Case
 from fsbi.results import Results
 
 quick = sys.argv[1:2] == ["true"]
 SCHEMES = ["monolithic", "IQNILS", "Aitken", "semiImplicit", "explicit"]
+WHOLE = ["monolithic", "monolithicOrder4"]
 REASONS = "diverges|do not agree|reached a residual|turned inside out|not finite"
 
 # Of Allrun: gamma dt, steps, Poisson's ratio, and the highest degree that
@@ -38,6 +39,7 @@ class Run(Case):
     def __init__(self, folder):
         super().__init__(folder)
         self.scheme, self.ratio = name_of(folder)
+        self.order = 4 if self.scheme.endswith("Order4") else 2
         self.passes = self.history["cost"]["corrections"]
         self.axes = self.history["elasticBodies/cell/semiAxes"].array[-1, 1:]
 
@@ -53,18 +55,39 @@ def refusal(folder):
         return "".join(re.findall(r"FATAL ERROR:\s*(.*)", log.read()))
 
 
+def deformation_error(run):
+    """Against the exact motion in the same steps."""
+    exact = ellipsoid.Motion(ellipsoid.neo_hookean(NU), TURN * run.ratio)
+    return abs(run.shape("cell")[1][-1] / exact.march(TURN, STEPS * TURN)[1][-1] - 1)
+
+
+def fourth_order(results, runs):
+    """What order 4 makes of the error on the same cells, at every ratio."""
+    second = {run.ratio: run for run in runs if run.scheme == "monolithic"}
+    for run in runs:
+        if run.scheme == "monolithicOrder4":
+            other = second[run.ratio]
+            found, before = deformation_error(run), deformation_error(other)
+            print(f"    r {run.ratio:g}: deformation off by {before:.2e} with order 2"
+                  f" ({other.seconds:.1f} s), {found:.2e} with order 4 ({run.seconds:.1f} s)")
+            # bound: asked for: errors four times smaller on equal cells
+            results.add(f"order4_error_over_order2_r{run.ratio:g}_abs", found / before, 0, 0.25,
+                        seconds=run.seconds, cells=run.cells)
+
+
 def compare(runs, refused):
     results = Results("couplingSchemes")
-    same = {run.ratio: run.axes for run in runs if run.scheme == "monolithic"}
+    same = {(run.order, run.ratio): run.axes for run in runs if run.scheme in WHOLE}
+    fourth_order(results, runs)
     for run in runs:
         cost = dict(seconds=run.seconds, cells=run.cells)
         name = f"{run.scheme}_r{run.ratio:g}"
         print(f"    {name}: passes {run.passes}, {run.seconds:.2f} s")
-        if run.scheme == "monolithic":
+        if run.scheme in WHOLE:
             # bound: the project's aim for a step, from any ratio
             results.add(f"corrections_{name}_abs", run.passes.max(), 0, 5, **cost)
         else:
-            difference = np.abs(run.axes / same[run.ratio] - 1).max()
+            difference = np.abs(run.axes / same[run.order, run.ratio] - 1).max()
             results.add(f"axes_{name}_abs", difference, 0, bound_of(run), **cost)
     for folder, reason in refused.items():
         scheme, ratio = name_of(folder)
