@@ -53,6 +53,7 @@ Foam::fsbi::rigidBody::rigidBody
     oldStep_(0),
     step_(0),
     accepted_(0),
+    stopped_(false),
     solved_(false)
 {
     const checkedDictionary entries(dict);
@@ -274,7 +275,7 @@ bool Foam::fsbi::rigidBody::hasHistory() const
 
 Foam::FixedList<Foam::scalar, 3> Foam::fsbi::rigidBody::weights() const
 {
-    if (!hasHistory())
+    if (!hasHistory() || stopped_)
     {
         return FixedList<scalar, 3>({1, -1, 0});
     }
@@ -290,7 +291,7 @@ void Foam::fsbi::rigidBody::advance(const scalar dt)
 {
     step_ = dt;
     sixVector mean(old_.velocity);
-    if (accepted_ > 1)
+    if (accepted_ > 1 && !stopped_)
     {
         const scalar r = 0.5*dt/oldStep_;
         forAll(mean, k)
@@ -489,6 +490,7 @@ void Foam::fsbi::rigidBody::save(dictionary& dict) const
     dict.set("start", start_);
     dict.set("step", oldStep_);
     dict.set("accepted", accepted_);
+    dict.set("stopped", stopped_);
     dict.set("shape", shapeText_);
     dict.set("shapeCentre", shapeCentre_);
     dict.set("points", surface_.points());
@@ -507,6 +509,7 @@ void Foam::fsbi::rigidBody::restore(const dictionary& dict)
     shapeCentre_ = dict.getOrDefault<point>("shapeCentre", Zero);
     oldStep_ = dict.get<scalar>("step");
     accepted_ = dict.get<label>("accepted");
+    stopped_ = dict.getOrDefault("stopped", false);
     surface_ = bodySurface
     (
         dict.get<pointField>("points"), dict.get<List<triFace>>("triangles")
