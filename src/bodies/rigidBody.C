@@ -35,6 +35,17 @@ namespace
 const Foam::scalar largestJump = 0.5;
 const Foam::label stepsAfterJump = 2;
 
+//- A rotation vector of at most half a turn with as many turns more as make it the
+//  one that is about known
+Foam::vector wound(const Foam::vector& least, const Foam::vector& known)
+{
+    using namespace Foam;
+    const scalar angle = mag(least);
+    const vector axis(angle > SMALL ? least/angle : normalised(known));
+    const scalar round = 2*constant::mathematical::pi;
+    return least + round*std::round(((known - least) & axis)/round)*axis;
+}
+
 } // End anonymous namespace
 
 
@@ -54,7 +65,8 @@ Foam::fsbi::rigidBody::rigidBody
     step_(0),
     accepted_(0),
     stopped_(false),
-    solved_(false)
+    solved_(false),
+    turn_(Zero)
 {
     const checkedDictionary entries(dict);
     entries.found("type");
@@ -308,7 +320,8 @@ void Foam::fsbi::rigidBody::advance(const scalar dt)
         mean = sixVector(scalar(0));
     }
     now_.centre = old_.centre + dt*linear(mean);
-    now_.orientation = rotationBy(dt*angular(mean))*old_.orientation;
+    turn_ = dt*angular(mean);
+    now_.orientation = rotationBy(turn_)*old_.orientation;
     now_.orientation /= mag(now_.orientation);
 }
 
@@ -337,6 +350,12 @@ void Foam::fsbi::rigidBody::addInertia(bodyRows& rows) const
 }
 
 
+Foam::vector Foam::fsbi::rigidBody::turned() const
+{
+    return wound(angleOf(now_.orientation*conjugate(old_.orientation)), turn_);
+}
+
+
 void Foam::fsbi::rigidBody::addPlacement(bodyRows& rows) const
 {
     const auto moved = [](const state& to, const state& from)
@@ -348,7 +367,8 @@ void Foam::fsbi::rigidBody::addPlacement(bodyRows& rows) const
         );
     };
     const FixedList<scalar, 3> c(weights());
-    const sixVector placed(moved(now_, old_)), before(moved(old_, older_));
+    const sixVector before(moved(old_, older_));
+    const sixVector placed(join(now_.centre - old_.centre, turned()));
     rows.gain = step_/c[0];
     forAll(rows.offset, k)
     {
@@ -445,6 +465,7 @@ void Foam::fsbi::rigidBody::settle()
         u[k] = rows.gain*now_.velocity[k] - u[k];
     }
     now_.centre += linear(u);
+    turn_ = turned() + angular(u);
     now_.orientation = rotationBy(angular(u))*now_.orientation;
     now_.orientation /= mag(now_.orientation);
 }

@@ -208,12 +208,19 @@ void Foam::fsbi::scene::placeBodies()
     if (steep())
     {
         List<placement> before(bodies_.rigid.size());
+        List<sixVector> ways(before.size());
         forAll(before, b)
         {
+            const placement now(bodies_.rigid[b].placed());
             before[b] = bodies_.rigid[b].before();
+            ways[b] = join
+            (
+                now.centre - before[b].centre,
+                angleOf(now.orientation*conjugate(before[b].orientation))
+            );
         }
         // drag beside a wall is not that of the way there
-        const auto place = wayFrom(before);
+        const auto place = wayFrom(before, ways);
         if (effects_->clearPart(place) < 1)
         {
             place(0);

@@ -14,7 +14,7 @@ namespace fsbi
 {
 
 //- Corrections of a step before it is taken for one that does not converge
-static const label mostCorrections = 40;
+static const label mostCorrections = 25;
 
 //- Difference between the loads on a body along their tangent and where it has
 //  gone, over the largest of all: Newton's next correction would leave its square
@@ -29,14 +29,15 @@ static scalar size(const sixVector& load, const scalar radius)
     return mag(linear(load)) + mag(angular(load))/radius;
 }
 
-//- Translation and rotation vector
-static sixVector wayBetween(const placement& from, const placement& to)
+//- Displacement and rotation vector from where effects were evaluated
+static sixVector wayOf(const bodyRows& rows)
 {
-    return join
-    (
-        to.centre - from.centre,
-        angleOf(to.orientation*conjugate(from.orientation))
-    );
+    sixVector way(rows.offset);
+    forAll(way, k)
+    {
+        way[k] = rows.gain*rows.velocity[k] - way[k];
+    }
+    return way;
 }
 
 //- Loads of effects that balance all others on a way: these change with the
@@ -115,15 +116,16 @@ Foam::List<Foam::fsbi::placement> Foam::fsbi::scene::rigidPlacements() const
 
 std::function<void(const Foam::scalar)> Foam::fsbi::scene::wayFrom
 (
-    const UList<placement>& start
+    const UList<placement>& start, const UList<sixVector>& ways
 )
 {
     const List<placement> from(start), to(rigidPlacements());
-    return [this, from, to](const scalar part)
+    const List<sixVector> along(ways);
+    return [this, from, to, along](const scalar part)
     {
         forAll(to, b)
         {
-            const sixVector way(wayBetween(from[b], to[b]));
+            const sixVector& way = along[b];
             bodies_.rigid[b].stand
             (
                 part == 1
@@ -145,34 +147,32 @@ bool Foam::fsbi::scene::effectsAgree
 )
 {
     const List<sixVector> expected(fluid_->effectForces(rows).whole);
-    const auto place = wayFrom(evaluated);
-    List<sixVector> way(rows.size()), there;
+    List<sixVector> way(rows.size()), wanted(expected), there;
     forAll(way, b)
     {
-        way[b] = wayBetween(evaluated[b], bodies_.rigid[b].placed());
+        way[b] = wayOf(rows[b]);
     }
+    const auto place = wayFrom(evaluated, way);
     const auto force = [&](const scalar part)
     {
         place(part);
         there = effects_->evaluate().forces().whole;
-        return along(way, rows, there, between(met.wanted, expected, part));
+        return along(way, rows, there, between(wanted, expected, part));
     };
-    const bool first = met.wanted.empty();
-    met.wanted = first ? expected : met.wanted;
     const scalar clear = effects_->clearPart(place);
-    scalar atClear = force(clear);
+    scalar part = clear;
+    const bool falls = force(clear) >= 0;
     if (clear == 1 && agree(there, expected, rows, met))
     {
         return true;
     }
-    if (first && (clear < 1 || atClear < 0))
+    if (clear < 1 || !falls)
     {
-        met.wanted = wantedAtStart(rows, expected);
-        atClear = force(clear);
+        place(0);
+        wanted = wantedAtStart(rows, expected);
+        part = lowest(force, clear);
     }
-    const scalar part = atClear >= 0 ? clear : lowest(force, clear);
     place(part);
-    met.wanted = between(met.wanted, expected, part);
 
     // the flow stays that around the bodies where the mesh has them
     const List<bodyRows> placed(std::move(rows));

@@ -42,7 +42,8 @@ def travel(scene):
                 max(healed["mean"] - new, 0), 0, DRIFT, **cost)
     print(f"    {scene}: healed {healed['events']:.0f} times in {healed['seconds']:.2f} s, "
           f"made anew {whole['events']:.0f} times in {whole['seconds']:.2f} s; mean "
-          f"at most {healed['mean']:.2f}, new {new:.2f}; {text.count('Not healed')} were not healed")
+          f"at most {healed['mean']:.2f}, new {new:.2f}; "
+          f"{text.count('Not healed')} were not healed")
     return text
 
 

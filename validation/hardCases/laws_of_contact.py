@@ -92,8 +92,8 @@ def loss(run, table):
             np.linalg.norm(way, axis=1) + body.R * np.linalg.norm(turn, axis=1))
     energy = table["energy"]
     rise = np.diff(energy) - by_loads[1:]
-    allowed = (np.maximum(by_fluid, 0) + roughly)[1:] + 0.15**2 * np.maximum(energy[1:],
-                                                                            energy[:-1])
+    allowed = (np.maximum(by_fluid, 0) + roughly)[1:]
+    allowed = allowed + 0.15**2 * np.maximum(energy[1:], energy[:-1])
     if (rise > allowed).any():
         n = np.argmax(rise - allowed)
         return f"energy rises by {rise[n]:.3g}, allowed {allowed[n]:.3g}"

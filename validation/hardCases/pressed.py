@@ -56,8 +56,10 @@ def add_body(draw, scene, name, size, speed):
     mu = scene.flow.viscosity
     body.entries["force"] = draw.decades(-1, 1) * 19 * mu * radius * speed * towards
     if draw.chance(0.3):
-        body.entries["torque"] = draw.decades(-1, 0.5) * 25 * mu * radius**2 * speed \
-            * draw.direction()
+        # such as turns a body alone by a radian in a step at most: more is told as not
+        # resolved
+        most = min(10**0.5 * radius**2 * speed, radius**3 / scene.step)
+        body.entries["torque"] = draw.decades(-1.5, 0) * 25 * mu * most * draw.direction()
     scene.add(body)
 
 
