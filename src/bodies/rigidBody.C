@@ -35,6 +35,17 @@ namespace
 const Foam::scalar largestJump = 0.5;
 const Foam::label stepsAfterJump = 2;
 
+//- A rotation vector of at most half a turn with as many turns more as make it the
+//  one that is about known
+Foam::vector wound(const Foam::vector& least, const Foam::vector& known)
+{
+    using namespace Foam;
+    const scalar angle = mag(least);
+    const vector axis(angle > SMALL ? least/angle : normalised(known));
+    const scalar round = 2*constant::mathematical::pi;
+    return least + round*std::round(((known - least) & axis)/round)*axis;
+}
+
 } // End anonymous namespace
 
 
@@ -53,7 +64,9 @@ Foam::fsbi::rigidBody::rigidBody
     oldStep_(0),
     step_(0),
     accepted_(0),
-    solved_(false)
+    stopped_(false),
+    solved_(false),
+    turn_(Zero)
 {
     const checkedDictionary entries(dict);
     entries.found("type");
@@ -274,7 +287,7 @@ bool Foam::fsbi::rigidBody::hasHistory() const
 
 Foam::FixedList<Foam::scalar, 3> Foam::fsbi::rigidBody::weights() const
 {
-    if (!hasHistory())
+    if (!hasHistory() || stopped_)
     {
         return FixedList<scalar, 3>({1, -1, 0});
     }
@@ -290,7 +303,7 @@ void Foam::fsbi::rigidBody::advance(const scalar dt)
 {
     step_ = dt;
     sixVector mean(old_.velocity);
-    if (accepted_ > 1)
+    if (accepted_ > 1 && !stopped_)
     {
         const scalar r = 0.5*dt/oldStep_;
         forAll(mean, k)
@@ -307,7 +320,8 @@ void Foam::fsbi::rigidBody::advance(const scalar dt)
         mean = sixVector(scalar(0));
     }
     now_.centre = old_.centre + dt*linear(mean);
-    now_.orientation = rotationBy(dt*angular(mean))*old_.orientation;
+    turn_ = dt*angular(mean);
+    now_.orientation = rotationBy(turn_)*old_.orientation;
     now_.orientation /= mag(now_.orientation);
 }
 
@@ -336,6 +350,12 @@ void Foam::fsbi::rigidBody::addInertia(bodyRows& rows) const
 }
 
 
+Foam::vector Foam::fsbi::rigidBody::turned() const
+{
+    return wound(angleOf(now_.orientation*conjugate(old_.orientation)), turn_);
+}
+
+
 void Foam::fsbi::rigidBody::addPlacement(bodyRows& rows) const
 {
     const auto moved = [](const state& to, const state& from)
@@ -347,7 +367,8 @@ void Foam::fsbi::rigidBody::addPlacement(bodyRows& rows) const
         );
     };
     const FixedList<scalar, 3> c(weights());
-    const sixVector placed(moved(now_, old_)), before(moved(old_, older_));
+    const sixVector before(moved(old_, older_));
+    const sixVector placed(join(now_.centre - old_.centre, turned()));
     rows.gain = step_/c[0];
     forAll(rows.offset, k)
     {
@@ -444,6 +465,7 @@ void Foam::fsbi::rigidBody::settle()
         u[k] = rows.gain*now_.velocity[k] - u[k];
     }
     now_.centre += linear(u);
+    turn_ = turned() + angular(u);
     now_.orientation = rotationBy(angular(u))*now_.orientation;
     now_.orientation /= mag(now_.orientation);
 }
@@ -489,6 +511,7 @@ void Foam::fsbi::rigidBody::save(dictionary& dict) const
     dict.set("start", start_);
     dict.set("step", oldStep_);
     dict.set("accepted", accepted_);
+    dict.set("stopped", stopped_);
     dict.set("shape", shapeText_);
     dict.set("shapeCentre", shapeCentre_);
     dict.set("points", surface_.points());
@@ -507,6 +530,7 @@ void Foam::fsbi::rigidBody::restore(const dictionary& dict)
     shapeCentre_ = dict.getOrDefault<point>("shapeCentre", Zero);
     oldStep_ = dict.get<scalar>("step");
     accepted_ = dict.get<label>("accepted");
+    stopped_ = dict.getOrDefault("stopped", false);
     surface_ = bodySurface
     (
         dict.get<pointField>("points"), dict.get<List<triFace>>("triangles")

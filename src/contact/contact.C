@@ -17,7 +17,7 @@ addToRunTimeSelectionTable(effect, contact, entries);
 //- Edges of parts of triangles over the radius of a sphere's zone in range
 static const scalar finest = 0.15;
 
-//- Of a body's triangles, whatever the range: a million parts
+//- Of an edge of a body's triangles, whatever the range: 4 096 parts of a triangle
 static const label mostDivisions = 64;
 
 //- Part of the distance between surfaces that a way must leave
@@ -274,9 +274,12 @@ void Foam::fsbi::contact::push
 }
 
 
-void Foam::fsbi::contact::apply(loads& l) const
+void Foam::fsbi::contact::visitAll
+(
+    const currentSurfaces& now,
+    const std::function<void(const label, const label, const facing&)>& visit
+) const
 {
-    const currentSurfaces now(context_);
     forAll(context_.bodies, a)
     {
         for (label b = 0; b < now.size(); ++b)
@@ -286,11 +289,40 @@ void Foam::fsbi::contact::apply(loads& l) const
                 search
                 (
                     now, a, b, gap_ + range_,
-                    [&](const facing& f) { push(now, a, b, f, l); }
+                    [&](const facing& f) { visit(a, b, f); }
                 );
             }
         }
     }
+}
+
+
+void Foam::fsbi::contact::apply(loads& l) const
+{
+    const currentSurfaces now(context_);
+    visitAll
+    (
+        now, [&](const label a, const label b, const facing& f)
+        {
+            push(now, a, b, f, l);
+        }
+    );
+}
+
+
+Foam::scalar Foam::fsbi::contact::energy() const
+{
+    const currentSurfaces now(context_);
+    scalar sum = 0;
+    visitAll
+    (
+        now, [&](const label, const label b, const facing& f)
+        {
+            const scalar s = (f.distance - gap_)/range_;
+            sum += (now.isWall(b) ? 1 : 0.5)*f.area*pow3(1 - s)/sqr(s);
+        }
+    );
+    return 0.2*pressure_*range_*sum;
 }
 
 
@@ -394,12 +426,29 @@ Foam::fsbi::outcome Foam::fsbi::contact::acceptable() const
 }
 
 
+void Foam::fsbi::contact::markStopped(boolList& bodies) const
+{
+    const currentSurfaces now(context_);
+    visitAll
+    (
+        now, [&](const label a, const label b, const facing&)
+        {
+            bodies[a] = true;
+            if (!now.isWall(b))
+            {
+                bodies[b] = true;
+            }
+        }
+    );
+}
+
+
 void Foam::fsbi::contact::declare(recording& history) const
 {
     history.declare
     (
-        "contact/nearest", {"distance", "force"},
-        "L, gap + range if larger; M L/T2, sum of the magnitudes"
+        "contact/nearest", {"distance", "force", "energy"},
+        "L, gap + range if larger; M L/T2, sum of the magnitudes; M L2/T2"
     );
 }
 
@@ -416,6 +465,6 @@ void Foam::fsbi::contact::record(recording& history) const
     }
     history.append
     (
-        "contact/nearest", scalarList({smallest(names) + gap_, sum})
+        "contact/nearest", scalarList({smallest(names) + gap_, sum, energy()})
     );
 }

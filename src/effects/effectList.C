@@ -220,6 +220,18 @@ Foam::fsbi::outcome Foam::fsbi::effectList::acceptable() const
 }
 
 
+Foam::boolList Foam::fsbi::effectList::stopped() const
+{
+    boolList bodies(context_.bodies.size(), false);
+    for (const effect& e : effects_)
+    {
+        auto timer = timings_.profileMemory(e.type());
+        e.markStopped(bodies);
+    }
+    return bodies;
+}
+
+
 void Foam::fsbi::effectList::declare(recording& history) const
 {
     for (const effect& e : effects_)

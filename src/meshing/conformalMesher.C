@@ -454,6 +454,7 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
     }
     meshLists mesh;
     mesh.failure = possible.reason;
+    mesh.apart = bool(possible);
     if (!possible)
     {
         return mesh;

@@ -189,9 +189,10 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::generate
     }
     string reason(whole.failure);
     Pstream::scatter(reason);
+    Pstream::scatter(whole.apart);
     if (!reason.empty())
     {
-        return outcome::failed(reason + narrowGap());
+        return outcome::failed(reason + narrowGap(whole.apart));
     }
     if (Pstream::master())
     {
@@ -352,7 +353,7 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::usable() const
       : outcome::failed
         (
             "a cell of the fluid has the volume " + Foam::name(smallest)
-          + narrowGap()
+          + narrowGap(true)
         );
 }
 

@@ -18,6 +18,17 @@ namespace fsbi
 //- Part of a gap that may close before triangles are cut anew
 static const scalar closing = 0.5;
 
+//- Gap proposed for contact, in radii of the smallest body: what triangles are cut
+//  for is a tenth of it
+static const scalar proposedGap = 0.005;
+
+//- With two digits
+static scalar rounded(const scalar x)
+{
+    const scalar unit = pow(scalar(10), std::floor(log10(x)) - 1);
+    return unit*std::round(x/unit);
+}
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -107,10 +118,26 @@ Foam::string Foam::fsbi::fluidMesh::closingGap() const
 }
 
 
-Foam::string Foam::fsbi::fluidMesh::narrowGap() const
+Foam::string Foam::fsbi::fluidMesh::keptApart() const
 {
+    scalar radius = GREAT;
+    for (const immersedBody& body : bodies_)
+    {
+        radius = min(radius, body.radius());
+    }
+    return
+        "in constant/effects `contact { gap "
+      + Foam::name(rounded(proposedGap*radius)) + "; pressure P; }`, on which"
+        " rigid bodies rest (P some 5 F/(pi R gap) for a load F on a radius R),"
+        " or 'repulsion'";
+}
+
+
+Foam::string Foam::fsbi::fluidMesh::narrowGap(const bool apart) const
+{
+    // at the start nothing could have kept them apart
     const scalar gap = smallestGap();
-    if (unresolved(gap).empty())
+    if (apart ? unresolved(gap).empty() : !mesh_)
     {
         return string();
     }
@@ -120,9 +147,11 @@ Foam::string Foam::fsbi::fluidMesh::narrowGap() const
         return leaving;
     }
     return
-        " (bodies and walls are as near as " + Foam::name(gap)
+        apart
+      ? " (bodies and walls are as near as " + Foam::name(gap)
       + ": that needs a smaller 'size' of the shapes in constant/bodies, or an"
-        " effect 'repulsion' that keeps them apart)";
+        " effect that keeps them apart: " + keptApart() + ")"
+      : " (what may not meet is kept apart by an effect: " + keptApart() + ")";
 }
 
 

@@ -170,10 +170,11 @@ Foam::fsbi::outcome Foam::fsbi::scene::solveCoupled()
 
 Foam::fsbi::outcome Foam::fsbi::scene::advanceFlow()
 {
+    // what contact stops is not where the first pass would place it
     bool extrapolated = true;
     for (const rigidBody& body : bodies_.rigid)
     {
-        extrapolated &= body.hasHistory();
+        extrapolated &= body.hasHistory() || (steep() && !coupling_);
     }
     // without a history the first pass only finds the velocity to place with
     for (label pass = extrapolated ? 1 : 0; pass < 2; ++pass)
@@ -207,11 +208,23 @@ void Foam::fsbi::scene::placeBodies()
     if (steep())
     {
         List<placement> before(bodies_.rigid.size());
+        List<sixVector> ways(before.size());
         forAll(before, b)
         {
+            const placement now(bodies_.rigid[b].placed());
             before[b] = bodies_.rigid[b].before();
+            ways[b] = join
+            (
+                now.centre - before[b].centre,
+                angleOf(now.orientation*conjugate(before[b].orientation))
+            );
         }
-        keepApart(before);
+        // drag beside a wall is not that of the way there
+        const auto place = wayFrom(before, ways);
+        if (effects_->clearPart(place) < 1)
+        {
+            place(0);
+        }
     }
 }
 
@@ -270,6 +283,14 @@ void Foam::fsbi::scene::rewind()
 
 void Foam::fsbi::scene::endStep()
 {
+    if (steep())
+    {
+        const boolList stopped(effects_->stopped());
+        forAll(bodies_.rigid, b)
+        {
+            bodies_.rigid[b].stop(stopped[b]);
+        }
+    }
     for (const auto& participant : participants_)
     {
         participant.second->endStep();

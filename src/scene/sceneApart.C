@@ -14,16 +14,89 @@ namespace fsbi
 {
 
 //- Corrections of a step before it is taken for one that does not converge
-static const label mostCorrections = 40;
+static const label mostCorrections = 25;
 
 //- Difference between the loads on a body along their tangent and where it has
 //  gone, over the largest of all: Newton's next correction would leave its square
 static const scalar sameLoads = 1e-3;
 
+//- Halvings of a way that ends where the energy is least
+static const label halvings = 8;
+
 //- Loads as forces: torques over the radius
 static scalar size(const sixVector& load, const scalar radius)
 {
     return mag(linear(load)) + mag(angular(load))/radius;
+}
+
+//- Displacement and rotation vector from where effects were evaluated
+static sixVector wayOf(const bodyRows& rows)
+{
+    sixVector way(rows.offset);
+    forAll(way, k)
+    {
+        way[k] = rows.gain*rows.velocity[k] - way[k];
+    }
+    return way;
+}
+
+//- Loads of effects that balance all others on a way: these change with the
+//  velocity in proportion, and are known from the balance at both ends
+static List<sixVector> between
+(
+    const UList<sixVector>& from, const UList<sixVector>& to, const scalar part
+)
+{
+    List<sixVector> loads(from);
+    forAll(loads, b)
+    {
+        forAll(loads[b], k)
+        {
+            loads[b][k] += part*(to[b][k] - from[b][k]);
+        }
+    }
+    return loads;
+}
+
+//- Work by length of a way of what loads there are more than wanted: minus the
+//  slope of the energy of all, with what friction takes
+static scalar along
+(
+    const UList<sixVector>& way,
+    const UList<bodyRows>& rows,
+    const UList<sixVector>& loads,
+    const UList<sixVector>& wanted
+)
+{
+    scalar work = 0;
+    forAll(rows, b)
+    {
+        forAll(way[b], k)
+        {
+            work +=
+                rows[b].free[k] ? (loads[b][k] - wanted[b][k])*way[b][k] : 0;
+        }
+    }
+    return work;
+}
+
+//- Part of a way, up to the longest, beyond which the force along it is negative
+static scalar lowest
+(
+    const std::function<scalar(const scalar)>& force, const scalar longest
+)
+{
+    if (force(longest) >= 0)
+    {
+        return longest;
+    }
+    scalar before = 0, beyond = longest;
+    for (label i = 0; i < halvings; ++i)
+    {
+        const scalar middle = 0.5*(before + beyond);
+        (force(middle) >= 0 ? before : beyond) = middle;
+    }
+    return beyond;
 }
 
 } // End namespace fsbi
@@ -41,59 +114,66 @@ Foam::List<Foam::fsbi::placement> Foam::fsbi::scene::rigidPlacements() const
 }
 
 
-Foam::scalar Foam::fsbi::scene::keepApart(const UList<placement>& from)
+std::function<void(const Foam::scalar)> Foam::fsbi::scene::wayFrom
+(
+    const UList<placement>& start, const UList<sixVector>& ways
+)
 {
-    const List<placement> to(rigidPlacements());
-    const auto place = [&](const scalar part)
+    const List<placement> from(start), to(rigidPlacements());
+    const List<sixVector> along(ways);
+    return [this, from, to, along](const scalar part)
     {
         forAll(to, b)
         {
-            const placement& a = from[b];
-            const vector turn
-            (
-                angleOf(to[b].orientation*conjugate(a.orientation))
-            );
+            const sixVector& way = along[b];
             bodies_.rigid[b].stand
             (
                 part == 1
               ? to[b]
               : placement
                 {
-                    a.centre + part*(to[b].centre - a.centre),
-                    rotationBy(part*turn)*a.orientation
+                    from[b].centre + part*linear(way),
+                    rotationBy(part*angular(way))*from[b].orientation
                 }
             );
         }
     };
-    return effects_->clearPart(place);
 }
 
 
 bool Foam::fsbi::scene::effectsAgree
 (
-    const UList<placement>& evaluated, List<bodyRows>& rows
+    const UList<placement>& evaluated, List<bodyRows>& rows, meeting& met
 )
 {
     const List<sixVector> expected(fluid_->effectForces(rows).whole);
-    if (keepApart(evaluated) == 1)
+    List<sixVector> way(rows.size()), wanted(expected), there;
+    forAll(way, b)
     {
-        const List<sixVector> there(effects_->evaluate().forces().whole);
-        scalar largest = 0, difference = 0;
-        forAll(rows, b)
-        {
-            sixVector d(there[b]);
-            forAll(d, k)
-            {
-                d[k] -= expected[b][k];
-            }
-            largest = max(largest, size(there[b], rows[b].radius));
-            difference = max(difference, size(d, rows[b].radius));
-        }
-        if (difference <= sameLoads*largest)
-        {
-            return true;
-        }
+        way[b] = wayOf(rows[b]);
     }
+    const auto place = wayFrom(evaluated, way);
+    const auto force = [&](const scalar part)
+    {
+        place(part);
+        there = effects_->evaluate().forces().whole;
+        return along(way, rows, there, between(wanted, expected, part));
+    };
+    const scalar clear = effects_->clearPart(place);
+    scalar part = clear;
+    const bool falls = force(clear) >= 0;
+    if (clear == 1 && agree(there, expected, rows, met))
+    {
+        return true;
+    }
+    if (clear < 1 || !falls)
+    {
+        place(0);
+        wanted = wantedAtStart(rows, expected);
+        part = lowest(force, clear);
+    }
+    place(part);
+
     // the flow stays that around the bodies where the mesh has them
     const List<bodyRows> placed(std::move(rows));
     rows = bodyRowsNow();
@@ -105,16 +185,86 @@ bool Foam::fsbi::scene::effectsAgree
 }
 
 
+Foam::List<Foam::fsbi::sixVector> Foam::fsbi::scene::wantedAtStart
+(
+    const UList<bodyRows>& rows, const UList<sixVector>& expected
+)
+{
+    List<bodyRows> start(rows);
+    forAll(start, b)
+    {
+        start[b].free = FixedList<bool, 6>(false);
+        forAll(start[b].velocity, k)
+        {
+            if (rows[b].free[k])
+            {
+                start[b].velocity[k] = rows[b].offset[k]/rows[b].gain;
+            }
+        }
+    }
+    List<sixVector> loads, wanted(expected);
+    report_.iterations += fluid_->solve(start, loads).iterations;
+    forAll(rows, b)
+    {
+        const sixVector& v = rows[b].velocity;
+        const sixVector& v0 = start[b].velocity;
+        const sixVector inertia
+        (
+            join
+            (
+                rows[b].massRate*(linear(v0) - linear(v)),
+                rows[b].inertiaRate & (angular(v0) - angular(v))
+            )
+        );
+        forAll(v, k)
+        {
+            wanted[b][k] +=
+                inertia[k] + bodies_.rigid[b].now().load[k] - loads[b][k];
+        }
+    }
+    return wanted;
+}
+
+
+bool Foam::fsbi::scene::agree
+(
+    const UList<sixVector>& there,
+    const UList<sixVector>& expected,
+    const UList<bodyRows>& rows,
+    meeting& met
+) const
+{
+    scalar largest = 0, difference = -1;
+    forAll(rows, b)
+    {
+        sixVector d(there[b]);
+        forAll(d, k)
+        {
+            d[k] -= expected[b][k];
+        }
+        largest = max(largest, size(there[b], rows[b].radius));
+        if (size(d, rows[b].radius) > difference)
+        {
+            difference = size(d, rows[b].radius);
+            met.body = bodies_.rigid[b].name();
+        }
+    }
+    met.difference = difference/max(largest, VSMALL);
+    return difference <= sameLoads*largest;
+}
+
+
 Foam::fsbi::outcome Foam::fsbi::scene::solveFluid()
 {
     const untrapped scope;
     List<bodyRows> rows(bodyRowsNow());
+    meeting met;
     for (label i = 1; i <= mostCorrections; ++i)
     {
         const List<placement> evaluated(rigidPlacements());
         const outcome solved(solveRows(rows));
         report_.corrections = steep() ? i : report_.corrections;
-        if (!solved || !steep() || effectsAgree(evaluated, rows))
+        if (!solved || !steep() || effectsAgree(evaluated, rows, met))
         {
             return solved;
         }
@@ -122,6 +272,12 @@ Foam::fsbi::outcome Foam::fsbi::scene::solveFluid()
     return outcome::failed
     (
         "effects are not met where bodies end after "
-      + name(mostCorrections) + " corrections"
+      + name(mostCorrections) + " corrections: "
+      + (
+            met.body.empty()
+          ? "bodies are still on their way"
+          : "loads on body '" + met.body + "' differ by "
+          + name(met.difference) + " of the largest"
+        )
     );
 }

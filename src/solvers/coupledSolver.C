@@ -14,6 +14,34 @@ namespace fsbi
 //  less than the iterations that it saves
 static const scalar worthwhile = 10;
 
+//- Residual at rest over that where springs were evaluated beyond which the first
+//  says nothing but how far a body has gone: springs as stiff as contact's would
+//  pull it back with many times the loads
+static const scalar farAway = 100;
+
+//- The unknowns at rest, but for bodies with springs, which go to where these were
+//  evaluated
+static scalarList whereEvaluated
+(
+    const flowProblem& problem, const systemLayout& layout, scalarList x
+)
+{
+    systemLayout::whole bodies(layout.read(x.cdata()));
+    forAll(problem.bodies, b)
+    {
+        const bodyRows& rows = problem.bodies[b];
+        if (problem.acting.stiff(b) && rows.gain > 0)
+        {
+            forAll(rows.offset, k)
+            {
+                bodies.velocities[b][k] = rows.offset[k]/rows.gain;
+            }
+        }
+    }
+    layout.write(bodies, x.begin());
+    return x;
+}
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -148,6 +176,14 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
     {
         const scalarList rest(system_->atRest(x));
         scale_ = evaluate(rest);
+        if (system_->linear() && !problem.acting.empty())
+        {
+            const scalar there = evaluate
+            (
+                whereEvaluated(problem, system_->layout(), rest)
+            );
+            scale_ = scale_ > farAway*there ? there : scale_;
+        }
         if (system_->linear() && scale_ < VSMALL)
         {
             // nothing moves: from another guess no tolerance would be

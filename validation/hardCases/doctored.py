@@ -63,6 +63,17 @@ def weight_at_rest():
     return scene
 
 
+def pressed_on_floor():
+    """A capsule on a bead on the floor, with contact."""
+    scene = Scene(Flow("rest", walls=True), step=2000, steps=4,
+                  effects=dict(contact=dict(gap=0.02, pressure=1)))
+    scene.add(Body("bead", radius=3, size=1.2, overdamped=True, position=(0, -16.95, 0),
+                   force=(0, -0.02, 0)))
+    scene.add(Body("rod", "capsule", radius=2, length=4, size=0.9, overdamped=True,
+                   position=(0, -11.9, 0), force=(0, -0.02, 0)))
+    return scene
+
+
 def times(factor):
     def change(rows):
         rows *= factor
@@ -100,6 +111,10 @@ CHANGES = [
     ("bonds", bonds_in_shear, "effects/bonds/AB", plus(1)),
     ("bonds", bonds_in_shear, "effects/bonds/AB", plus(1e-3, column=4)),
     ("bonds", bonds_in_shear, "effects/bonds/events", plus(-1, column=4)),
+    ("contact", pressed_on_floor, "effects/contact/nearest", plus(-0.01)),
+    ("contact", pressed_on_floor, "effects/contact/nearest", plus(1e-3, column=2)),
+    ("contact", pressed_on_floor, "bodies/bead/position", plus(-0.05, column=1)),
+    ("contact", pressed_on_floor, "bodies/rod/position", plus(-0.05, column=1)),
     ("magnets", magnet_and_inertia, "effects/magnetics/driven", plus(1e-4, column=11)),
 ]
 

@@ -6,6 +6,7 @@
     fuzz.py --again VERDICT     runs those of that verdict again
     fuzz.py --only SEED ...     runs these
     fuzz.py --show SEED         only writes the case folder runs/fuzz<seed>
+    fuzz.py --pressed ...       scenes of pressed.py, to pressed.csv
 
 Exit code 0: every verdict is `right` or `stopped`.
 """
@@ -19,32 +20,13 @@ import sys
 import numpy as np
 
 import outcome
-import theory
+import pressed as pressed_scenes
+from drawing import Draw, draw_shape, loads, pushed
 from scene import Body, Flow, Scene
 
 HEADER = ["seed", "verdict", "judged", "seconds", "scene", "may stop", "why"]
 GOOD = ("right", "stopped")
 SECONDS = 15            # then a Ctrl-C; the run has to end itself, and goes on
-
-
-class Draw:
-    """Random choices of one seed."""
-
-    def __init__(self, seed):
-        self.random = np.random.default_rng(seed)
-
-    def decades(self, low, high):
-        return 10 ** self.random.uniform(low, high)
-
-    def chance(self, part):
-        return self.random.random() < part
-
-    def one(self, *choices):
-        return choices[self.random.integers(len(choices))]
-
-    def direction(self):
-        x = self.random.normal(size=3)
-        return x / np.linalg.norm(x)
 
 
 def draw_scene(seed):
@@ -97,17 +79,6 @@ def draw_body(draw, scene, name, size, speed):
         body.entries["orientation"] = (draw.direction(), draw.random.uniform(0, 3))
     body.position = draw_place(draw, scene, body)
     return body
-
-
-def draw_shape(draw, radius):
-    kind = draw.one("sphere", "sphere", "ellipsoid", "capsule", "leukocyte")
-    if kind == "sphere":
-        return dict(shape=kind, radius=radius, size=radius * draw.one(0.35, 0.45))
-    if kind == "ellipsoid":
-        return dict(shape=kind, semiAxes=radius * draw.random.uniform(0.5, 1.3, 3))
-    if kind == "capsule":
-        return dict(shape=kind, radius=0.6 * radius, length=radius, size=0.35 * radius)
-    return dict(shape=kind, radius=radius, size=0.4 * radius)
 
 
 def draw_rigid(draw, mu, radius, speed):
@@ -255,34 +226,6 @@ def nearest(scene):
     return min(found)
 
 
-def loads(scene, body):
-    """Largest force and torque that may drive a body."""
-    def size(key):
-        return np.linalg.norm(body.entries.get(key, (0, 0, 0)))
-    force, torque = size("force") + size("bodyForce") * 4.2 * body.R**3, size("torque")
-    magnets = scene.effects.get("magnetics", {})
-    if body.name in magnets.get("bodies", {}):
-        # as of a saturated body; A m2, T, and what that is in pg, um and us
-        moment = 1e4 * 4.2e-18 * body.R**3 * 1e15
-        fields = magnets["fields"]
-        torque += moment * max(np.linalg.norm(fields["main"].get("B", 0)),
-                               fields["main"].get("magnitude", 0))
-        force += moment * fields.get("pull", {}).get("axial", 0) * 1e-6
-    return force, torque
-
-
-def pushed(scene):
-    """Speed that the flow, the loads and what is given at most make."""
-    mu = scene.flow.viscosity
-    speed = theory.speed(mu, [(b.a - b.sag, *loads(scene, b)) for b in scene.bodies],
-                         min(b.a - b.sag for b in scene.bodies))
-    for body in scene.bodies:
-        for key, arm in (("velocity", 1), ("angularVelocity", body.R)):
-            for given in (body.constraints, body.entries):
-                speed += arm * np.linalg.norm(given.get(key, (0, 0, 0)))
-    return speed + scene.flow.fastest
-
-
 def pressed(scene, body):
     """Stress on an elastic body: that of the flow around a sphere, 5/2 of its
     own, and of the loads on it."""
@@ -342,9 +285,10 @@ def described(scene):
     return "; ".join([scene.flow.kind, bodies, *extra, steps])
 
 
-def run(seed):
+def run(seed, family):
+    draw, may = family
     folder = f"runs/fuzz{seed}"
-    scene = draw_scene(seed)
+    scene = draw(seed)
     ended = outcome.judge(scene, folder, SECONDS)
     if ended.verdict in GOOD:
         shutil.rmtree(folder)
@@ -353,7 +297,7 @@ def run(seed):
     why = ended.why or "; ".join(ended.skipped)
     row = dict(seed=seed, verdict=ended.verdict, judged=judged, seconds=f"{ended.seconds:.1f}",
                scene=described(scene), why=outcome.normal(why)[:300])
-    row["may stop"] = may_stop(scene)
+    row["may stop"] = may(scene)
     return row
 
 
@@ -378,19 +322,24 @@ def main():
     options.add_argument("--again", nargs="+", default=[])
     options.add_argument("--only", nargs="+", type=int, default=[])
     options.add_argument("--show", type=int)
-    options.add_argument("--results", default="fuzz.csv")
+    options.add_argument("--pressed", action="store_true")
+    options.add_argument("--results")
     options.add_argument("--order", type=int, default=2, help="of accuracy")
     chosen = options.parse_args()
     Scene.order = chosen.order
+    family = draw_scene, may_stop
+    if chosen.pressed:
+        family = pressed_scenes.draw_scene, pressed_scenes.may_stop
+    chosen.results = chosen.results or ("pressed.csv" if chosen.pressed else "fuzz.csv")
     if chosen.show:
-        draw_scene(chosen.show).write(f"runs/fuzz{chosen.show}")
+        family[0](chosen.show).write(f"runs/fuzz{chosen.show}")
         return 0
     rows = {int(row["seed"]): row for row in read(chosen.results)}
     seeds = [s for s in range(chosen.seeds[0], chosen.seeds[1] + 1) if s not in rows]
     seeds += [s for s in chosen.only if s not in rows]
     seeds += [s for s, row in rows.items() if row["verdict"] in chosen.again]
     for seed in seeds:
-        rows[seed] = run(seed)
+        rows[seed] = run(seed, family)
         write(chosen.results, rows.values())
     return 0 if all(row["verdict"] in GOOD for row in rows.values()) else 1
 

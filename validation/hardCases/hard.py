@@ -14,6 +14,7 @@ import re
 import sys
 
 import numpy as np
+from scipy.integrate import solve_ivp
 
 import outcome
 import theory
@@ -205,32 +206,50 @@ def heavy_long_steps():
 
 # Near, many, overlapping
 
-@case("a sphere driven at a wall from a gap of 0.01 r: never through it, and the gap told; "
-      "it may stop and name the gap", stops="near as")
+# Of a sphere of radius 1 that moves to a wall, over Stokes': the gap's lubrication
+def wall_drag(gap):
+    return 1 / gap - np.log(gap) / 5 + 0.9713
+
+
+def gap_left(start, force, time, radius=3):
+    """Under a force towards the wall, in a fluid of viscosity 1."""
+    rate = force / (6 * np.pi * radius)
+
+    def speed(t, gap):
+        return -rate / wall_drag(gap / radius)
+    return solve_ivp(speed, (0, time), [start], rtol=1e-9, atol=1e-12).y[0, -1]
+
+
+@case("a sphere driven at a wall from a gap of 0.01 r: goes on as lubrication lets it, to "
+      "0.008 r, never through it", quick=True)
 def gap001():
     flow = Flow("rest", floor=True)
     body = bead(position=(0, -20 + 3.03, 0), force=(0, -0.01, 0))
     scene = one(flow, body, step=1000, steps=4, controls=dict(minDeltaT=100))
 
     def more(history):
-        said = outcome.read("runs/gap001")
-        return [("says that the gap is not resolved", "not resolved" in said, ">", 0.5),
-                ("height over the wall", history["bodies/bead/position"]["y"].min() + 20,
-                 ">", 3 - body.sag)]
+        gap = history["bodies/bead/position"]["y"] + 20 - 3
+        way, exact = 0.03 - gap[-1], 0.03 - gap_left(0.03, 0.01, 4000)
+        # bound: the force in gaps is within 2.6 % by default (validation/N1-gaps); the
+        # first step of rate dt = 0.059 is Euler's, off by half of its square of the gap,
+        # and all of them go 0.21 of it
+        return [("gap, least", gap.min(), ">", 0),
+                ("way over lubrication's, off 1", abs(way / exact - 1), "<",
+                 0.026 + 0.059**2 / 2 / 0.21)]
     return scene, more
 
 
-@case("two spheres 0.01 r apart, pushed together: neither in the other; on coarse triangles "
-      "it may stop and name the gap", quick=True, stops="near as")
+@case("two spheres 0.01 r apart, pushed together: neither in the other", quick=True)
 def pair001():
     scene = Scene(Flow("rest"), step=1000, steps=4)
     for name, side in (("a", -1), ("b", 1)):
         scene.add(bead(name, position=(side * 3.015, 0, 0), force=(-side * 0.01, 0, 0)))
 
     def more(history):
-        x = last(history, "bodies/a/position") + last(history, "bodies/b/position")
+        a, b = (last(history, f"bodies/{name}/position") for name in "ab")
         # bound: the gap of each; the pair is the same from both sides
-        return [("centre of the pair moves, of a radius", np.abs(x).max() / 3, "<", 0.005)]
+        return [("centre of the pair moves, of a radius", np.abs(a + b).max() / 3, "<", 0.005),
+                ("gap", np.linalg.norm(b - a) - 6, ">", 0)]
     return scene, more
 
 
@@ -243,10 +262,7 @@ def gap001_fine():
     scene = one(flow, body, step=10, steps=2, controls=dict(minDeltaT=1))
 
     def more(history):
-        # drag over Stokes' near contact: a/h - ln(h/a)/5 + 0.9713, h: what is left
-        gap = 0.03 / 3
-        drag = 1 / gap - np.log(gap) / 5 + 0.9713
-        exact = 0.01 / (6 * np.pi * 3 * drag)
+        exact = 0.01 / (6 * np.pi * 3 * wall_drag(0.03 / 3))
         v = -history["bodies/bead/velocity"]["y"][0]
         told = "not resolved" in outcome.read("runs/gap001Fine")
         if told:            # a speed nobody claims is not measured
@@ -335,11 +351,36 @@ def long_elastic_steps():
     return scene(1, 6), more
 
 
-@case("a sphere pushed at a wall, 100 times too far in a step: never in it; it may stop",
-      stops="crosses the boundary|non-orthogonality|volume|overlap")
+def contact_for(force, radius=3, gap=0.02):
+    """A load is met at half the range."""
+    return dict(contact=dict(gap=gap, pressure=5 * force / (np.pi * radius * gap)))
+
+
+@case("a sphere pushed at a wall, 30 times as far in a step as its gap, with contact: never "
+      "in it, rests where its load is met at half the range", quick=True)
 def long_steps_at_wall():
     body = bead(position=(0, -12, 0), force=(0, -0.5, 0))
-    return one(Flow("rest", floor=True), body, step=10000, steps=3), no_more
+    scene = one(Flow("rest", floor=True), body, step=10000, steps=3,
+                effects=contact_for(0.5))
+
+    def more(history):
+        gap = history["bodies/bead/position"]["y"] + 20 - 3
+        s = gap[-1] / 0.02 - 1
+        # bound: parts of triangles, and loads that agree, leave 0.15^2 + 1e-3 of the
+        # force, spheres instead of paraboloids the range over the radius; the force
+        # changes with s as (1 - s)^3/s^2, by ten times itself
+        return [("gap, least", gap.min(), ">", 0.02),
+                ("place in the range, off 1/2", abs(s - 0.5), "<",
+                 (0.15**2 + 1e-3 + 0.02 / 3) / 10)]
+    return scene, more
+
+
+@case("the same without contact: stops and names the effect, with its dictionary",
+      stops=r"`contact \{ gap 0.015; pressure P; \}`")
+def long_steps_without_contact():
+    body = bead(position=(0, -12, 0), force=(0, -0.5, 0))
+    return one(Flow("rest", floor=True), body, step=10000, steps=3,
+               controls=dict(minDeltaT=100)), no_more
 
 
 @case("steps of 1e-12 of a shear time: the velocity of ordinary ones")
@@ -524,7 +565,7 @@ def run(name):
 
 
 # Those with words of a message that may also reach their end
-MAY_END = ("softerThanAny", "longStepsAtWall", "gap001", "pair001", "gap001Fine")
+MAY_END = ("softerThanAny", "gap001Fine")
 
 
 def fits(name, ended, stops):

@@ -14,7 +14,8 @@ recorded history with nothing but the scene and mechanics:
 - an elastic body: the work of its loads is the change of its energy; in a fluid
   at rest energy is only lost;
 - what bonds and magnets record of themselves is what acted on the bodies;
-- bodies keep clear of each other and of the walls; an elastic body keeps its
+- bodies keep clear of each other and of the walls; with contact by its gap at least,
+  and in a fluid at rest it only loses energy; an elastic body keeps its
   volume as its bulk modulus wants, no cell is inside out.
 
 What of this a scene does not allow to judge is said: run.skip.
@@ -22,6 +23,7 @@ What of this a scene does not allow to judge is said: run.skip.
 
 import numpy as np
 
+from laws_of_contact import contact
 from laws_of_motion import balance, drag, held, motion, speeds
 from laws_of_state import bonds, budget, decay, magnets, volume
 from record import Run
@@ -83,4 +85,4 @@ def clearance(run):
 
 
 LAWS = (end, held, balance, motion, speeds, drag, clearance, volume, budget, decay, bonds,
-        magnets)
+        magnets, contact)

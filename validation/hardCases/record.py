@@ -80,7 +80,32 @@ class Run:
         for dt, change in zip(self.dt, np.diff(spin, axis=0)):
             found.append(accepted <= 0)
             accepted = -2 if np.linalg.norm(dt * change) > 0.5 else accepted + 1
-        return np.array(found)
+        return np.array(found) | self.straight(body)
+
+    def straight(self, body):
+        """Rows in which a body has gone as its last velocity says, as Euler's method has
+        it where contact has stopped a body."""
+        if "contact" not in self.scene.effects:
+            return np.zeros(len(self.dt), bool)
+        v = self.velocity(body)
+        off = self.way(body) - self.dt[:, None] * v
+        return np.linalg.norm(off, axis=1) <= 1e-9 * np.linalg.norm(self.centre(body), axis=1)
+
+    def way(self, body):
+        return np.diff(self.centre(body), axis=0, prepend=body.position[None, :])
+
+    def turn(self, body):
+        """Rotation vectors of the steps."""
+        axis, angle = body.entries.get("orientation", ((1, 0, 0), 0))
+        first = np.array([[np.cos(angle / 2), *np.sin(angle / 2) * np.array(axis)]])
+        q = np.vstack([first, self.vectors(body, "orientation")])
+        a, b = q[:-1], q[1:]
+        w = (a * b).sum(axis=1)
+        v = (a[:, :1] * b[:, 1:] - b[:, :1] * a[:, 1:] - np.cross(b[:, 1:], a[:, 1:]))
+        v *= np.where(w < 0, -1, 1)[:, None]
+        size = np.linalg.norm(v, axis=1)
+        angle = 2 * np.arctan2(size, np.abs(w))
+        return v * (angle / np.maximum(size, 1e-300))[:, None]
 
     def typical_speed(self):
         """Of all that the solver has to do with: flow, loads, also those of magnets

@@ -48,12 +48,13 @@ def write_dictionary(path, entries, kind="dictionary"):
 
 class Flow:
     """Conditions on the box: rest, shear, uniform, Poiseuille. `fastest` is
-    the largest speed on the sides, `stress` the mean one of the undisturbed flow."""
+    the largest speed on the sides, `stress` the mean one of the undisturbed flow.
+    walls: whatever sides can be are walls, around a fluid at rest all."""
 
     def __init__(self, kind="rest", rate=0.0, half=(20, 20, 20), floor=False,
-                 viscosity=1.0, divisions=4):
+                 viscosity=1.0, divisions=4, walls=False):
         self.kind, self.rate, self.viscosity = kind, rate, viscosity
-        self.half, self.floor = np.array(half, float), floor
+        self.half, self.floor, self.walls = np.array(half, float), floor, walls
         self.divisions = divisions
         self.origin = -self.half[1] if floor else 0.0
 
@@ -86,12 +87,26 @@ class Flow:
         """Of shear, at the walls."""
         return self.stress / self.viscosity * (2 if self.kind == "Poiseuille" else 1)
 
+    @property
+    def wall_sides(self):
+        if not self.walls:
+            return ["bottom"] if self.floor else []
+        return ["bottom", "top"] + {"rest": ["front", "back", "upstream", "downstream"],
+                                    "uniform": ["front", "back"]}.get(self.kind, [])
+
+    @property
+    def open_axes(self):
+        """x, y, z: may a body leave along it?"""
+        sides = (("upstream", "downstream"), ("bottom", "top"), ("front", "back"))
+        return np.array([not set(pair) <= set(self.wall_sides) for pair in sides])
+
     def conditions(self):
         still = dict(type="fixedValue", value="uniform (0 0 0)")
         free = dict(type="traction")
         sides = ["bottom", "top", "front", "back"]
         if self.kind == "rest":
-            return dict({s: still for s in sides + ["upstream"]}, downstream=free)
+            return dict({s: still for s in sides + ["upstream"]},
+                        downstream=still if self.walls else free)
         if self.kind == "uniform":
             speed = self.rate * self.half[1]
             moved = dict(type="fixedValue", value=f"uniform ({speed:.10g} 0 0)")
@@ -117,7 +132,7 @@ class Flow:
                      bottom=(0, 1, 5, 4), top=(3, 7, 6, 2), back=(0, 3, 2, 1),
                      front=(4, 5, 6, 7))
         patches = " ".join(
-            f"{name} {{ type {'wall' if self.floor and name == 'bottom' else 'patch'}; "
+            f"{name} {{ type {'wall' if name in self.wall_sides else 'patch'}; "
             f"faces ({text(face)}); }}" for name, face in faces.items())
         return {"scale": 1, "vertices": text(corners),
                 "blocks": f"(hex (0 1 2 3 4 5 6 7) {text(cells)} simpleGrading (1 1 1))",
