@@ -67,12 +67,24 @@ void Foam::fsbi::recorder::declare()
     {
         declareEffects();
     }
+    if (estimatesError())
+    {
+        history_.declare("accuracy", {"forces"}, "-");
+    }
     history_.declare
     (
         "cost",
         {"step", "iterations", "corrections", "seconds", "cells", "meshes"},
         "T, -, -, s, -, -"
     );
+}
+
+
+bool Foam::fsbi::recorder::estimatesError() const
+{
+    return
+        scene_.hasFluid()
+     && scene_.fluid().error().expected(scene_.fluid().stokes());
 }
 
 
@@ -459,6 +471,14 @@ void Foam::fsbi::recorder::append
                 body.now()
             );
         }
+    }
+    if (estimatesError())
+    {
+        history_.append
+        (
+            "accuracy", time_.value(),
+            scalarList(1, scene_.fluid().error().relative())
+        );
     }
     history_.append
     (

@@ -24,7 +24,8 @@ Foam::fsbi::fluidRegion::fluidRegion
     rigidBodies_(rigidBodies),
     material_(readMaterial(time, name)),
     mesh_(time, name, bodies, t, savedMesh),
-    conditions_(time, mesh_)
+    conditions_(time, mesh_),
+    error_(mesh_)
 {
     checkedDictionary::checkBlocks(mesh().solutionDict(), {"coupling"});
     checkedDictionary::checkBlocks(mesh().schemesDict(), {});
@@ -214,6 +215,7 @@ Foam::fsbi::outcome Foam::fsbi::fluidRegion::follow()
             // what stands on the mesh that is about to go
             solver_.clear();
             momentum_->release();
+            error_.release();
             U_.clear();
             p_.clear();
         }
@@ -379,6 +381,7 @@ void Foam::fsbi::fluidRegion::setFields(const UList<bodyRows>& rows)
 
     const scalarField pb(stokes().boundaryPressure());
     const tensorField grad(stokes().velocityGradients());
+    error_.evaluate(stokes(), grad);
     forAll(U.boundaryField(), patchi)
     {
         fvPatchVectorField& Up = U.boundaryFieldRef()[patchi];

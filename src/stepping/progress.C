@@ -69,6 +69,15 @@ void Foam::fsbi::progress::reportLine
     {
         snprintf(gapText, sizeof(gapText), "  gap %-8.4g", gap_);
     }
+    char error[40] = "";
+    if (scene.hasFluid() && scene.fluid().error().known())
+    {
+        snprintf
+        (
+            error, sizeof(error), "  forces to %.2g %%",
+            100*scene.fluid().error().relative()
+        );
+    }
     char corrections[40] = "";
     if (scene.bodies().elastic.size())
     {
@@ -82,10 +91,10 @@ void Foam::fsbi::progress::reportLine
     snprintf
     (
         line, sizeof(line),
-        "Time = %-10s dt %-9.4g %sits %3d  residual %7.1e%s %5.1f %%"
+        "Time = %-10s dt %-9.4g %sits %3d  residual %7.1e%s%s %5.1f %%"
         "  left %-7s dt by %s",
         time_.timeName().c_str(), time_.deltaTValue(), corrections,
-        int(scene.report().iterations), scene.report().residual, gapText,
+        int(scene.report().iterations), scene.report().residual, error, gapText,
         100*done, readable(left).c_str(), limit.c_str()
     );
     Info<< line << scene.warning().c_str() << endl;

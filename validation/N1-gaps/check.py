@@ -12,6 +12,7 @@ import numpy as np
 from fsbi import plots
 from fsbi.bispherical import mirror, wall
 from fsbi.case import Case, reference
+from fsbi.error_estimates import worth_of_estimates
 from fsbi.results import Results
 
 RADIUS, SPEED = 4, 1e-3                 # speed: of the centre or of the surface
@@ -39,6 +40,7 @@ KINDS = {
     "turn": Kind("turning at a wall: torque", tabulated("Tr"),
                  lambda run: run.torque("a")[-1, 2] / (8 / 6 * RADIUS * STOKES))}
 results = Results("N1")
+estimates = []                          # of the error of forces, and the error
 
 
 def finished(folder):
@@ -63,6 +65,8 @@ def add(kind, order, gap, error, run):
     # bound: the project's goal: 2 %
     results.add(f"{'torque' if kind == 'turn' else 'force'}_{kind}", 1 + error, 1, 0.02,
                 variant=f"gap {gap:g}, order {order}", **cost)
+    if run and order == 4:
+        estimates.append((run.history["accuracy"]["forces"][-1], abs(error)))
     if not run:
         print(f"    {kind:5} {gap:6g} radii, order {order}: not converged")
         return
@@ -94,6 +98,7 @@ def main():
         for row in found:
             add(kind, order, *row)
     if sys.argv[1:2] != ["true"]:
+        worth_of_estimates(results, estimates)
         draw(table)
     results.write()
 

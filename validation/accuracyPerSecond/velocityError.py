@@ -46,13 +46,22 @@ def corners(mesh):
     return np.sort(points)[:, ::3]
 
 
+def cells_with(name, folder, kind="f8"):
+    """Corners and a field of all cells at the last time."""
+    mesh = f"{folder}/0/fluid/polyMesh"
+    x = values(f"{mesh}/points", "3f8")[0][corners(mesh)]
+    time = max((t for t in os.listdir(folder) if re.match(r"[0-9.e-]+$", t)), key=float)
+    return x, values(f"{folder}/{time}/fluid/{name}", kind)[0]
+
+
+def volumes_of(x):
+    return np.abs(np.linalg.det(x[:, 1:] - x[:, :1])) / 6
+
+
 def velocity_error(folder, radius, speed):
     """Root mean square over the far velocity."""
-    mesh = f"{folder}/0/fluid/polyMesh"
-    x = values(f"{mesh}/points", "3f8")[0][corners(mesh)] / radius
-    time = max((t for t in os.listdir(folder) if re.match(r"[0-9.e-]+$", t)), key=float)
-    u = values(f"{folder}/{time}/fluid/U", "3f8")[0] / speed
+    x, u = cells_with("U", folder, "3f8")
+    x, u = x / radius, u / speed
     exact = sum(weight * bodies.stokes(np.einsum("i,cij->cj", point, x))
                 for point, weight in zip(*quadrature()))
-    volumes = np.abs(np.linalg.det(x[:, 1:] - x[:, :1]))
-    return np.sqrt(np.average(np.sum((u - exact) ** 2, axis=1), weights=volumes))
+    return np.sqrt(np.average(np.sum((u - exact) ** 2, axis=1), weights=volumes_of(x)))

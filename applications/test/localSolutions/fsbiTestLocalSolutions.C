@@ -16,6 +16,7 @@ Description
 #include "appliedOperator.H"
 #include "checks.H"
 #include "cubicFlow.H"
+#include "fourthOrderStokes.H"
 #include "meshDistribution.H"
 #include "petscObjects.H"
 #include "problem.H"
@@ -26,6 +27,23 @@ using namespace Foam;
 using namespace Foam::fsbi;
 
 static const scalar mu = 1.7;
+
+static const fourthOrderStokes& fourth(const stokesOperator& stokes)
+{
+    return dynamic_cast<const fourthOrderStokes&>(stokes);
+}
+
+
+//- Power of what fits leave, over the dissipation, of the whole flow
+static scalar defects(const stokesOperator& stokes, const fvMesh& mesh)
+{
+    const scalarField dissipation
+    (
+        2*mu*magSqr(symm(stokes.velocityGradients()))*mesh.cellVolumes()
+    );
+    return gSum(fourth(stokes).defectPower()())/gSum(dissipation);
+}
+
 
 static void checkCubic(checks& c)
 {
@@ -46,6 +64,8 @@ static void checkCubic(checks& c)
         worst = max(worst, mag(grad[i] - flow.gradU(mesh->cellCentres()[i])));
     }
     c.checkBelow("cubic flow: gradients at cells", worst, 1e-10);
+    // bound: round-off as above, squared
+    c.checkBelow("cubic flow: fits leave nothing", defects(a.stokes, mesh()), 1e-20);
     // the total over the boundary, of tractions that are themselves not linear
     vector force(Zero);
     for (const vector& t : a.traction)
@@ -120,7 +140,7 @@ static void checkSphere(checks& c)
     // bound: required before: drag 0.3 % at 5 000 tetrahedra, 0.05 % at 13 000,
     // 45 iterations, order 3.5 of the velocity
     const scalar size[] = {0.28, 0.2}, most[] = {0.003, 0.0005};
-    scalar error[2];
+    scalar error[2], left[2];
     for (label level = 0; level < 2; ++level)
     {
         autoPtr<fvMesh> mesh(aroundSphere(size[level]));
@@ -131,6 +151,7 @@ static void checkSphere(checks& c)
         p.solve("tolerance 1e-6;");
         const vector F(linear(p.load())), exact(-p.flow.force());
         error[level] = velocityError(p);
+        left[level] = defects(p.stokes, mesh());
         Info<< "    " << name.c_str() << "drag over the exact one "
             << (F & exact)/magSqr(exact) << ", " << p.report.iterations
             << " iterations, error of the velocity " << error[level] << endl;
@@ -144,6 +165,11 @@ static void checkSphere(checks& c)
     const scalar order =
         Foam::log(error[0]/error[1])/Foam::log(size[0]/size[1]);
     c.check("sphere: order of the velocity", order > 3.5, name(order));
+    const scalar orderOfPower =
+        Foam::log(left[0]/left[1])/Foam::log(size[0]/size[1]);
+    // bound: jumps of means fall as h^4, k in a volume as h^-2; meshes that are
+    // not similar as of the velocity
+    c.checkClose("sphere: order of what fits leave", orderOfPower, 6, 0.2);
 }
 
 
@@ -284,6 +310,7 @@ static void checkParallel(checks& c)
     meshLists whole;
     labelList ranks;
     scalarList r;
+    scalarField power;
     vectorField traction;
     if (Pstream::master())
     {
@@ -295,9 +322,11 @@ static void checkParallel(checks& c)
         disturb(a, identity(mesh->nCells()));
         r = a.r;
         traction = a.traction;
+        power = fourth(a.stokes).defectPower();
         Pstream::parRun() = true;
     }
     Pstream::scatter(r);
+    Pstream::scatter(power);
     Pstream::scatter(traction);
     const meshDistribution part(whole, ranks);
     autoPtr<fvMesh> mesh(room.scaled(part.mesh, 1));
@@ -318,6 +347,17 @@ static void checkParallel(checks& c)
             tractions = max(tractions, mag(a.traction[i] - traction[facei]));
         }
     }
+    const scalarField own(fourth(a.stokes).defectPower());
+    scalar powers = 0;
+    forAll(own, i)
+    {
+        powers = max(powers, mag(own[i]/power[part.cells[i]] - 1));
+    }
+    c.checkBelow
+    (
+        "in parallel: power of defects", returnReduce(powers, maxOp<scalar>()),
+        1e-10
+    );
     // bound: sums in another order, of numbers up to ten
     c.checkBelow("in parallel: residual", returnReduce(rows, maxOp<scalar>()), 1e-10);
     c.checkBelow

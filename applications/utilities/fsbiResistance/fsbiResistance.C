@@ -263,7 +263,13 @@ int main(int argc, char *argv[])
             {
                 const scalarField loads(loadsAt(scene, motion));
                 Info<< "Solution: " << scene.report().iterations
-                    << " iterations" << endl;
+                    << " iterations";
+                if (scene.fluid().error().known())
+                {
+                    Info<< ", forces to "
+                        << 100*scene.fluid().error().relative() << " %";
+                }
+                Info<< endl;
                 return loads;
             }
         )

@@ -249,3 +249,42 @@ Foam::fsbi::fourthOrderStokes::velocityGradients() const
     }
     return result;
 }
+
+
+Foam::tmp<Foam::scalarField>
+Foam::fsbi::fourthOrderStokes::defectPower() const
+{
+    auto result = tmp<scalarField>::New(mesh_.nCells(), Zero);
+    scalarField& power = result.ref();
+    const faceSolutions solutions(faces());
+    forAll(innerFaces_, i)
+    {
+        const faceGradient face
+        (
+            stencil_.area()[i], stencil_.fromOwner()[i],
+            stencil_.fromNeighbour()[i]
+        );
+        fourNumbers eP, eN;
+        solutions.setDefect(innerFaces_[i], &faceCorner::owner, eP);
+        solutions.setDefect(innerFaces_[i], &faceCorner::neighbour, eN);
+        const scalar half =
+            0.5*mu_*face.compact()*magSqr(velocity(eN - eP));
+        power[stencil_.owner()[i]] += half;
+        if (stencil_.neighbour()[i] < mesh_.nCells())
+        {
+            power[stencil_.neighbour()[i]] += half;
+        }
+    }
+    forAll(velocityGiven_, i)
+    {
+        if (velocityGiven_[i])
+        {
+            const label facei = mesh_.nInternalFaces() + i;
+            fourNumbers e;
+            solutions.setDefect(facei, &faceCorner::owner, e);
+            power[mesh_.faceOwner()[facei]] +=
+                wallCoeff(i)*magSqr(velocity(e));
+        }
+    }
+    return result;
+}

@@ -1,0 +1,136 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "forceError.H"
+#include "equivalentEllipsoid.H"
+#include "fourthOrderStokes.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Found by the drag of a sphere and of an ellipsoid in uniform flow, the stresslet
+//  of a sphere in shear, forces on spheres a radius and a fifth of it from a wall
+//  and each other: twice the error, between a half and five times it
+static const scalar margin = 3;
+
+//- How far near reaches from a body, over its radius
+static const scalar reach = 0.5;
+
+//- The inside of an ellipsoid around a body
+class surroundings
+{
+    point centre_;
+
+    //- Directions over semi-axes, in rows
+    tensor scaled_;
+
+public:
+
+    explicit surroundings(const immersedBody& body)
+    :
+        centre_(body.placed().centre)
+    {
+        const equivalentEllipsoid shape(body.meshedSurface());
+        const vector axes(shape.axes + reach*body.radius()*vector::one);
+        scaled_ = inv(diagTensor(axes.x(), axes.y(), axes.z())) & shape.directions;
+    }
+
+    bool contain(const point& x) const
+    {
+        return magSqr(scaled_ & (x - centre_)) < 1;
+    }
+};
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::List<Foam::scalarList> Foam::fsbi::forceError::nearBodies
+(
+    const scalarField& power, const scalarField& dissipation
+) const
+{
+    const UPtrList<immersedBody>& bodies = mesh_.bodies();
+    const fvMesh& mesh = mesh_.mesh();
+    List<scalarList> sums(bodies.size(), scalarList(3, Zero));
+    forAll(bodies, b)
+    {
+        const surroundings near(bodies[b]);
+        forAll(power, i)
+        {
+            if (near.contain(mesh.cellCentres()[i]))
+            {
+                sums[b][0] += power[i];
+                sums[b][1] += dissipation[i];
+                sums[b][2] += mesh.cellVolumes()[i];
+            }
+        }
+    }
+    for (scalarList& sum : sums)
+    {
+        reduce(sum, sumOp<scalarList>());
+    }
+    return sums;
+}
+
+
+bool Foam::fsbi::forceError::expected(const stokesOperator& stokes) const
+{
+    return isA<fourthOrderStokes>(stokes) && mesh_.bodies().size();
+}
+
+
+void Foam::fsbi::forceError::evaluate
+(
+    const stokesOperator& stokes, const tensorField& gradients
+)
+{
+    if (!expected(stokes))
+    {
+        return;
+    }
+    const scalarField power
+    (
+        dynamic_cast<const fourthOrderStokes&>(stokes).defectPower()
+    );
+    const scalarField& V = mesh_.mesh().cellVolumes();
+    const scalarField dissipation
+    (
+        2*stokes.mu()*magSqr(symm(gradients))*V
+    );
+    relative_ = 0;
+    scalar perPower = 0;
+    for (const scalarList& near : nearBodies(power, dissipation))
+    {
+        const scalar relative = margin*near[0]/max(near[1], VSMALL);
+        if (relative > relative_)
+        {
+            relative_ = relative;
+            perPower = margin*near[2]/near[1];
+        }
+    }
+    setField(perPower*power/V);
+}
+
+
+void Foam::fsbi::forceError::setField(const scalarField& values)
+{
+    const fvMesh& mesh = mesh_.mesh();
+    if (!field_)
+    {
+        field_.reset
+        (
+            new volScalarField
+            (
+                IOobject("forceError", mesh.time().timeName(), mesh),
+                mesh, dimensionedScalar(dimless, Zero)
+            )
+        );
+    }
+    field_->primitiveFieldRef() = values;
+    field_->instance() = mesh.time().timeName();
+}
