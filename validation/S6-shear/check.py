@@ -23,8 +23,17 @@ def mean_over_time(run, values):
 
 
 def far_from_walls():
-    """Mean rotation and velocity, drift from the start."""
-    runs = cases("runs/far*")
+    spins = far_meshes("far", "")
+    fourth = far_meshes("fourth", "_order4")
+    for i, (second, error) in enumerate(zip(spins, fourth)):
+        # bound: what fourth order is for, a quarter of the error on the same cells
+        results.at_least("omega_error_of_order2_over_order4", second / error, 4,
+                         variant=f"mesh{i + 1}")
+
+
+def far_meshes(folders, suffix):
+    """Mean rotation and velocity, drift from the start; errors of the rotation."""
+    runs = cases(f"runs/{folders}*")
     drifts, spins = [], []              # mean or largest along the path
     for i, run in enumerate(runs):
         spin = mean_over_time(run, run.spin(BODY)[:, 1])
@@ -32,7 +41,7 @@ def far_from_walls():
         offset = run.position(BODY) - [60, 60, HEIGHT]
         drift = np.hypot(offset[-1, 1], offset[-1, 2]) / PATH
         largest = np.hypot(offset[:, 1], offset[:, 2]).max() / PATH
-        mesh = f"mesh{i + 1}"
+        mesh = f"mesh{i + 1}{suffix}"
         cost = dict(seconds=run.seconds, cells=run.cells, variant=mesh)
         # bound: the project's case table, 1 %
         results.add("omega_over_halfGamma", 2 * spin / RATE, 1, 0.01, **cost)
@@ -44,12 +53,13 @@ def far_from_walls():
         results.add("largest_drift_over_path_abs", largest, 0, 5e-4, variant=mesh)
         drifts.append(largest)
         spins.append(abs(mean_over_time(run, abs(2 * run.spin(BODY)[:, 1] / RATE - 1))))
-    if not quick:
+    if not quick and not suffix:
         # bound: each mesh drifts by its own error, of second order in the edges and of
         # either sign, so that not every finer mesh is better; over all of them it falls
         # with at least their first power
         results.at_least("drift_order", overall_order(EDGES, drifts), 1)
         draw_far(runs, drifts, spins)
+    return spins
 
 
 def draw_far(runs, drifts, spins):
@@ -75,24 +85,40 @@ def confinement():
 
 
 def beside_a_wall():
-    points = []
+    wall_heights("wall", "")
+    _, errors = wall_heights("wallOrder4-", "_order4")
+    points, coarse = wall_heights("wall" if quick else "wallCoarse-", "_coarse", say=not quick)
+    for height, error in errors.items():
+        # bound: a quarter of the error of order 2 on the same cells
+        results.at_least("beside_a_wall_error_of_order2_over_order4", coarse[height] / error, 4,
+                         variant=f"at_{height:.4g}a")
+    if not quick:
+        draw_wall(np.array(points))
+
+
+def wall_heights(folders, suffix, say=True):
+    """Velocities by the height; the larger of their two errors by it."""
+    points, errors = [], {}
     for row in reference("reference/freeSphereNearWall.csv"):
         ratio = row["h_over_a"]
         try:
-            run = Case(f"runs/wall{ratio!r}".removesuffix(".0"))
+            run = Case(f"runs/{folders}{ratio!r}".removesuffix(".0"))
         except FileNotFoundError:
             continue
         speed = run.velocity(BODY)[-1, 0] / (RATE * RADIUS * ratio)
         spin = 2 * run.spin(BODY)[-1, 1] / RATE
-        cost = dict(seconds=run.seconds, cells=run.cells, variant=f"at_{ratio:.4g}a")
+        cost = dict(seconds=run.seconds, cells=run.cells, variant=f"at_{ratio:.4g}a{suffix}")
+        points.append((ratio, speed, spin))
+        errors[ratio] = max(abs(speed / row["U_over_gh"] - 1),
+                            abs(spin / row["twoOmega_over_g"] - 1))
+        if not say:
+            continue
         # bound: the project's case table, 2 % of the exact table
         bound = 0.02
         results.add("U_over_gammaH_beside_a_wall", speed, row["U_over_gh"], bound, **cost)
         results.add("omega_over_halfGamma_beside_a_wall", spin, row["twoOmega_over_g"], bound,
                     **cost)
-        points.append((ratio, speed, spin))
-    if not quick:
-        draw_wall(np.array(points))
+    return points, errors
 
 
 def draw_wall(points):
