@@ -31,9 +31,9 @@ static void checkDomain(const polyMesh& domain)
 }
 
 
-//- Not around elastic bodies of order 4: microbeadTethered by order 4 takes 105 to
-//  135 iterations a step on whole meshes, on healed ones more and more, 1 000 and
-//  above, until Newton's method fails
+//- Not around elastic bodies of order 4: microbeadTethered by order 4 on edges of
+//  1.35 takes 105 to 135 iterations a step on whole meshes, on healed ones more and
+//  more, 1 000 and above, until Newton's method fails
 static bool healable(const UPtrList<immersedBody>& bodies)
 {
     for (const immersedBody& body : bodies)
