@@ -310,7 +310,7 @@ void Foam::fsbi::solidRegion::beginStep()
 {
     const scalar dt = time_.deltaTValue();
     motion_->beginStep(dt);
-    elastic_->state().setStep(dt);
+    elastic_->beginStep(dt, !isStatic());
     oldX_ = x_;
     if (oldStep_ > 0)
     {

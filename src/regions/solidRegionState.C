@@ -17,6 +17,9 @@ void Foam::fsbi::solidRegion::visitState(const Visitor& visit)
     if (moves())
     {
         visit("referenceF", elastic_->state().referenceF());
+    }
+    if (moves() || (elastic_->dampsJumps() && !isStatic()))
+    {
         visit("jumpHistory", elastic_->jumpHistory());
     }
     if (material_->viscosity() > 0)

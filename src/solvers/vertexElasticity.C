@@ -21,7 +21,10 @@ static PetscReal weakBelow = 0.03;
 
 //- Bodies that are so many vertices long and need at most so many operations of
 //  3 x 3 blocks for a factor have a cheaper factor than the cycles it saves: on
-//  rods and plates a quarter to three quarters of the seconds, on cubes none
+//  rods and plates a quarter to three quarters of the seconds, on cubes none. By
+//  order 4, seconds by cycles and by a factor: a plate of 9e7 operations 47 and
+//  7.5, a rod of 4e7 20 and 16, a box of 1.3e8, 32 x 16 x 8 cells, 5.2 and 6.9; on
+//  hexahedra a rod of 3.4e7 4.0 and 5.8. Memory: the same within a tenth
 static const label slender = 20;
 static const scalar fewOperations = 2e7;
 
@@ -112,7 +115,8 @@ void Foam::fsbi::vertexElasticity::createMatrix()
     const scalar n = beside.size(), levels = nLevels(beside);
     direct_ =
         !Pstream::parRun()
-     && levels >= slender && n*sqr(n/levels) < fewOperations;
+     && levels >= slender
+     && n*sqr(n/levels) < fewOperations*elastic_.factorWorth();
     sharedVertices::sum<1>
     (
         mesh_, nBeside.begin(), elastic_.stencil().halo().size()

@@ -446,4 +446,8 @@ void Foam::fsbi::fourthOrderElastic::endStep()
 {
     elasticOperator::endStep();
     pointState_.endStep();
+    for (label i = 0; damping_ > 0 && i < stencil_.nFaces(); ++i)
+    {
+        jumpHistory_[i] = turn(i).T() & jumps_[i].e;
+    }
 }

@@ -17,6 +17,9 @@ namespace fsbi
 //- Of what the fits do not explain, over mu
 static const scalar stabilisation = 4;
 
+//- Viscosity of the same, over sqrt(mu rho) and the distance of cells
+static const scalar jumpViscosity = 1;
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -76,7 +79,62 @@ Foam::vector Foam::fsbi::fourthOrderElastic::held(const label i) const
 {
     const vector& e = jumps_[i].e;
     const vector& a = jumps_[i].normal;
-    return stiffness(i)*material_.mu()*e + material_.lambda()*a*(a & e);
+    return
+        stiffness(i)*material_.mu()*e
+      + material_.lambda()*a*(a & e)
+      + damped(i);
+}
+
+
+void Foam::fsbi::fourthOrderElastic::beginStep
+(
+    const scalar deltaT, const bool inertia
+)
+{
+    elasticOperator::beginStep(deltaT, inertia);
+    damping_ =
+        inertia
+      ? jumpViscosity*sqrt(material_.mu()*material_.density())/deltaT
+      : 0;
+}
+
+
+Foam::tensor Foam::fsbi::fourthOrderElastic::turn(const label i) const
+{
+    return material_.linear() ? tensor::I : jumps_[i].F;
+}
+
+
+Foam::vector Foam::fsbi::fourthOrderElastic::damped(const label i) const
+{
+    if (!damping_)
+    {
+        return Zero;
+    }
+    const tensor F(turn(i));
+    const vector change((F.T() & jumps_[i].e) - jumpHistory_[i]);
+    return damping_*mag(stencil_.delta()[i])*(F & change);
+}
+
+
+Foam::vector Foam::fsbi::fourthOrderElastic::dampedTangent
+(
+    const label i, const tensor& dF, const vector& de
+) const
+{
+    if (!damping_)
+    {
+        return Zero;
+    }
+    const tensor F(turn(i));
+    const vector& e = jumps_[i].e;
+    vector along(F & (F.T() & de));
+    if (!material_.linear())
+    {
+        along +=
+            (dF & ((F.T() & e) - jumpHistory_[i])) + (F & (dF.T() & e));
+    }
+    return damping_*mag(stencil_.delta()[i])*along;
 }
 
 
@@ -92,7 +150,8 @@ Foam::vector Foam::fsbi::fourthOrderElastic::heldTangent(const label i) const
         material_.linear() ? 0 : strainStiffeningTangent(jumps_[i].F, dF);
     return
         material_.mu()*(stiffness(i)*de + dStiffness*e)
-      + material_.lambda()*(da*(a & e) + a*((da & e) + (a & de)));
+      + material_.lambda()*(da*(a & e) + a*((da & e) + (a & de)))
+      + dampedTangent(i, dF, de);
 }
 
 
