@@ -111,7 +111,7 @@ CHANGES = [
     ("bonds", bonds_in_shear, "effects/bonds/AB", plus(1)),
     ("bonds", bonds_in_shear, "effects/bonds/AB", plus(1e-3, column=4)),
     ("bonds", bonds_in_shear, "effects/bonds/events", plus(-1, column=4)),
-    ("contact", pressed_on_floor, "effects/contact/nearest", plus(-0.01)),
+    ("contact", pressed_on_floor, "effects/contact/nearest", plus(-0.03)),
     ("contact", pressed_on_floor, "effects/contact/nearest", plus(1e-3, column=2)),
     ("contact", pressed_on_floor, "bodies/bead/position", plus(-0.05, column=1)),
     ("contact", pressed_on_floor, "bodies/rod/position", plus(-0.05, column=1)),

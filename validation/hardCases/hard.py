@@ -380,7 +380,7 @@ def long_steps_at_wall():
 def long_steps_without_contact():
     body = bead(position=(0, -12, 0), force=(0, -0.5, 0))
     return one(Flow("rest", floor=True), body, step=10000, steps=3,
-               controls=dict(minDeltaT=100)), no_more
+               controls=dict(minDeltaT=10000)), no_more
 
 
 @case("steps of 1e-12 of a shear time: the velocity of ordinary ones")

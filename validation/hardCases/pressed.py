@@ -26,6 +26,8 @@ def draw_scene(seed):
         scene.controls["maxApproach"] = 0.2
     for n in range(draw.one(1, 1, 2, 2, 2, 3)):
         add_body(draw, scene, f"body{n}", size, speed)
+    while not scene.bodies:
+        add_body(draw, scene, "body0", size, speed)
     force = max(loads(scene, b)[0] for b in scene.bodies)
     least = min(b.a for b in scene.bodies)
     gap = draw.decades(-2.3, -1.5) * least
@@ -50,7 +52,10 @@ def add_body(draw, scene, name, size, speed):
     if draw.chance(0.5):
         body.entries["orientation"] = (draw.direction(), draw.random.uniform(0, 3))
     gap = draw.decades(-1.5, -0.5) * body.a
-    body.position, towards = place(draw, scene, body, gap)
+    found = place(draw, scene, body, gap)
+    if found is None:
+        return                          # others have taken all the room there is
+    body.position, towards = found
     if draw.chance(0.3):
         towards = draw.direction()
     mu = scene.flow.viscosity
@@ -83,7 +88,7 @@ def place(draw, scene, body, gap):
                 and all(np.linalg.norm(at - b.position) > b.R + body.R + 0.9 * gap
                         for b in scene.bodies)):
             return at, towards
-    raise ValueError("no place for a body")
+    return None
 
 
 def keep_inside(scene):
