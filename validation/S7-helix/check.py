@@ -85,20 +85,34 @@ def integrals():
 
 
 def edges():
-    """Finer and finer meshes of the tight helix."""
-    lengths = sorted((float(f.removeprefix("runs/edge")) for f in glob.glob("runs/edge*")),
-                     reverse=True)
-    errors = {name: [] for name in NAMES}
+    second = meshes("edge", "")
+    for edge, errors in meshes("fourth", "order4").items():
+        for name, error in errors.items():
+            # bound: what fourth order is for, a quarter of the error on the same cells
+            results.at_least(f"{name}_error_of_order2_over_order4_edge{edge:g}",
+                             second[edge][name] / error, 4)
+    if len(second) > 2:
+        draw_edges(np.array(list(second)),
+                   {name: [e[name] for e in second.values()] for name in NAMES})
+
+
+def meshes(folders, variant):
+    """Finer and finer meshes of the tight helix: errors by the edge."""
+    lengths = sorted((float(f.removeprefix(f"runs/{folders}"))
+                      for f in glob.glob(f"runs/{folders}*")), reverse=True)
+    errors = {}
     for edge in lengths:
-        R, cost = read(f"runs/edge{edge:g}")
+        R, cost = read(f"runs/{folders}{edge:g}")
         for name, value in measures(R).items():
             # bound: the project's case table, 3 %
-            results.add(f"{name}_edge{edge:g}", value, integrated()[2][name], 0.03, **cost)
-            errors[name].append(abs(value / integrated()[2][name] - 1))
+            results.add(f"{name}_edge{edge:g}", value, integrated()[2][name], 0.03, **cost,
+                        variant=variant)
+        errors[edge] = {name: abs(value / integrated()[2][name] - 1)
+                        for name, value in measures(R).items()}
         # bound: a fifteenth of the 3 %, so that neither half of the matrix decides
-        results.add(f"asymmetry_edge{edge:g}_abs", asymmetry(R), 0, 2e-3, **cost)
-    if len(lengths) > 2:
-        draw_edges(np.array(lengths), errors)
+        results.add(f"asymmetry_edge{edge:g}_abs", asymmetry(R), 0, 2e-3, **cost,
+                    variant=variant)
+    return errors
 
 
 def draw_edges(lengths, errors):
