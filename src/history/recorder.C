@@ -423,6 +423,33 @@ void Foam::fsbi::recorder::appendHistory(const solidRegion& body)
 }
 
 
+void Foam::fsbi::recorder::appendCost()
+{
+    if (estimatesError())
+    {
+        history_.append
+        (
+            "accuracy", time_.value(),
+            scalarList(1, scene_.fluid().error().relative())
+        );
+    }
+    history_.append
+    (
+        "cost", time_.value(),
+        scalarList
+        ({
+            time_.deltaTValue(), scalar(scene_.report().iterations),
+            scalar(scene_.report().corrections),
+            scene_.clocks().seconds("solve"), scalar(scene_.nCells()),
+            scalar
+            (
+                scene_.hasFluid() ? scene_.fluid().meshing().generation() : 0
+            )
+        })
+    );
+}
+
+
 void Foam::fsbi::recorder::append
 (
     const Foam::string& limit, const scalar gap
@@ -472,28 +499,7 @@ void Foam::fsbi::recorder::append
             );
         }
     }
-    if (estimatesError())
-    {
-        history_.append
-        (
-            "accuracy", time_.value(),
-            scalarList(1, scene_.fluid().error().relative())
-        );
-    }
-    history_.append
-    (
-        "cost", time_.value(),
-        scalarList
-        ({
-            time_.deltaTValue(), scalar(scene_.report().iterations),
-            scalar(scene_.report().corrections),
-            scene_.clocks().seconds("solve"), scalar(scene_.nCells()),
-            scalar
-            (
-                scene_.hasFluid() ? scene_.fluid().meshing().generation() : 0
-            )
-        })
-    );
+    appendCost();
     history_.flush();
     steps_.accept(gap, limit);
 }
