@@ -33,6 +33,21 @@ static sixVector total
     return join(force, torque);
 }
 
+
+//- Did it converge, in so many iterations?
+static outcome converged(const solverReport& report, const label iterations)
+{
+    return
+        report.converged
+      ? outcome()
+      : outcome::failed
+        (
+            "the solver reached a residual of " + name(report.residual)
+          + " only, in " + name(iterations)
+          + " iterations (maxIterations of system/fluid/fvSolution)"
+        );
+}
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -71,15 +86,7 @@ Foam::fsbi::outcome Foam::fsbi::scene::solveRows(List<bodyRows>& rows)
             " too large, or cells that are too thin"
         );
     }
-    return
-        report_.converged
-      ? outcome()
-      : outcome::failed
-        (
-            "the solver reached a residual of " + name(report_.residual)
-          + " only, in " + name(report_.iterations - before)
-          + " iterations (maxIterations of system/fluid/fvSolution)"
-        );
+    return converged(report_, report_.iterations - before);
 }
 
 
@@ -145,9 +152,7 @@ Foam::fsbi::outcome Foam::fsbi::scene::loadsAt
         rows[b].velocity = velocities[b];
     }
     report_ = fluid_->solve(rows, loads);
-    return
-        report_.converged
-      ? outcome() : outcome::failed("the solver did not converge");
+    return converged(report_, report_.iterations);
 }
 
 
