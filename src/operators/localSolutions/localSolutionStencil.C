@@ -13,9 +13,10 @@ namespace fsbi
 {
 
 //- Fewest cells of a fit, inside and on walls. The 48 coefficients are found
-//  from four numbers a cell. On good meshes 16 do; where vertices were moved until
-//  faces are 70 degrees off, the solver stalls with 16 and with 20, and 24 cost an
-//  eighth of the time of an application (validation/poorMeshes)
+//  from four numbers a cell. 16 do for a sphere on a good mesh, but a helix takes 289
+//  iterations with them, with 24 80; an elastic bead beside a wall 1 000, now 100; and
+//  where vertices were moved until faces are 70 degrees off, the solver stalls even
+//  with 20 (validation/poorMeshes). 24 cost an eighth of the time of an application
 static const label fewestInside = 24;
 static const label fewestOnWall = 14;
 
