@@ -33,7 +33,7 @@ static void checkDomain(const polyMesh& domain)
 
 //- Not around elastic bodies of order 4: microbeadTethered by order 4 on edges of
 //  1.35 takes 61 to 111 iterations a step on whole meshes; on one that had been
-//  healed three times they went from 65 to more than 200 within five steps
+//  healed three times they went from 65 to more than 200 within eight steps
 static bool healable(const UPtrList<immersedBody>& bodies)
 {
     for (const immersedBody& body : bodies)
