@@ -24,8 +24,8 @@ results = Results("S8")
 class Helix:
     """What its resistance makes of the torque: speeds of stepping out and advances."""
 
-    def __init__(self, folder):
-        R = resistance(folder)
+    def __init__(self):
+        R = resistance("runs/resistance")
         self.mobility = np.linalg.inv(R)
         a, b, c = R[2, 2], R[2, 5], R[5, 5]
         # no force, no torque across the axis
@@ -41,9 +41,8 @@ class Helix:
 
 
 @cache
-def helix(kind=""):
-    """By the order of the fluid with which a run was made."""
-    return Helix("runs/resistanceOrder4" if kind == "fourth" else "runs/resistance")
+def helix():
+    return Helix()
 
 
 class Run(Case):
@@ -53,7 +52,7 @@ class Run(Case):
                                         os.path.basename(folder)).groups()
         self.variant, self.suffix = f"w{ratio}", f"_{self.kind}" if self.kind else ""
         self.name = self.variant + self.suffix
-        self.speed = float(ratio) * helix().free     # by order 2
+        self.speed = float(ratio) * helix().free
         magnet = self.history[f"effects/magnetics/{BODY}"]
         self.t, self.lag, self.slips = magnet["time"], magnet["lag"], magnet["slips"][-1]
         m = np.array([magnet["m" + i] for i in "xyz"]).T
@@ -86,15 +85,15 @@ class Run(Case):
 
 
 def follows(run):
-    theory = helix().held if run.kind == "held" else helix(run.kind).free
+    theory = helix().held if run.kind == "held" else helix().free
     step_out = run.speed / np.sin(run.lag[-6:].mean())
     # bound: second order with 24 steps a turn, (2 pi/24)^2/12 = 0.6 %, and 0.4 % since
     # a new mesh has another resistance
     results.add(f"step_out{run.suffix}", step_out / theory, 1, 0.01, **run.cost,
                 variant=run.variant)
-    if run.kind != "held":
+    if not run.kind:
         # bound: the project's case table, 3 %
-        results.add(f"step_out_axial_law{run.suffix}", step_out / helix(run.kind).axial, 1, 0.03,
+        results.add("step_out_axial_law", step_out / helix().axial, 1, 0.03,
                     variant=run.variant)
 
 
@@ -118,7 +117,7 @@ def model_of(run):
     angle = np.radians(75 if run.kind == "tilted" else 90)
     moment = np.array([np.sin(angle), 0, np.cos(angle)])
     lag = {"w0.97": 1.2}.get(run.name, 0 if run.speed < helix().free else np.pi / 2)
-    return turned(helix(run.kind).mobility, moment, TORQUE, run.speed, lag, np.append(0, run.t))
+    return turned(helix().mobility, moment, TORQUE, run.speed, lag, np.append(0, run.t))
 
 
 def main():
@@ -131,10 +130,9 @@ def main():
     for run in runs:
         if run.kind != "tilted":
             (follows if run.speed < free else steps_out)(run)
-            expected = (helix().advance_held if run.kind == "held"
-                        else helix(run.kind).advance)
+            advance = helix().advance_held if run.kind else helix().advance
             # bound: as for stepping out, a ratio of two resistances of a new mesh
-            results.add(f"advance{run.suffix}", run.advance() / expected, 1, 0.01,
+            results.add(f"advance{run.suffix}", run.advance() / advance, 1, 0.01,
                         variant=run.variant)
         if run.kind != "held":
             axis, moment = model_of(run)
