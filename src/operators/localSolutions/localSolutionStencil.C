@@ -14,12 +14,11 @@ namespace fsbi
 
 //- Fewest cells of a fit, inside and on walls. The 48 coefficients are found
 //  from four numbers a cell. 16 do for a sphere on a good mesh, but a helix takes 289
-//  iterations with them, with 24 80; an elastic bead beside a wall 1 000, now 100; and
-//  where vertices were moved until faces are 70 degrees off, the solver stalls even
-//  with 20 (validation/poorMeshes). 24 cost an eighth of the time of an application.
-//  On meshes that grow by 0.7 a helix stalls with 24, too; 28 take 67 iterations there
-//  and 32 take 45, but all fits become half as large again
-static const label fewestInside = 24;
+//  iterations with them, with 24 80; where vertices were moved until faces are 70
+//  degrees off the solver stalls even with 20 (validation/poorMeshes), and with 24
+//  for a helix on a mesh that grows by 0.7, where 28 take 67. 28 take 5 % more
+//  seconds than 16; with 32 the drag of a sphere is half as far off again
+static const label fewestInside = 28;
 static const label fewestOnWall = 14;
 
 //- How often face neighbours join
