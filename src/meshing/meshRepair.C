@@ -3,7 +3,7 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "meshRepair.H"
+#include "meshRepairI.H"
 #include "mathematicalConstants.H"
 #include "unitConversion.H"
 
@@ -16,29 +16,18 @@ namespace Foam
 namespace fsbi
 {
 
-//- Shape below which a cell is bad, and below which it counts as without volume
-static const scalar badShape = 0.12, flat = 1e-3;
+//- Shape below which a cell is bad
+static const scalar badShape = 0.12;
 
 //- Most cells around an edge that is taken away
 static const label longestRing = 7;
 
-//- Part of the badness that a change must take away
-static const scalar worthwhile = 0.02;
-
 //- Normals of a plane differ by no more
 static const scalar samePlane = 1e-6;
-
-//- What is better by less is so by round-off
-static const scalar roundOff = 1e-6;
 
 //- Shape of the worst of new cells, over that of the worst they replace, below
 //  which they are not looked at further
 static const scalar asGood = 0.7;
-
-//- Steps of a moved point over the mean length of its edges: the first, and each
-//  over the one before
-static const scalar firstStep = 0.15, shorter = 0.4;
-static const label nSteps = 6;
 
 
 static void sortUnique(std::vector<label>& numbers)
@@ -52,90 +41,6 @@ static void sortUnique(std::vector<label>& numbers)
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-inline Foam::scalar Foam::fsbi::meshRepair::cosine
-(
-    const tetrahedra::side& s
-) const
-{
-    // centres of cells with a common face are as their opposite points
-    const point& p = points_[s.points[0]];
-    const vector S((points_[s.points[1]] - p) ^ (points_[s.points[2]] - p));
-    const vector d(points_[s.out] - points_[s.in]);
-    return (S & d)/(Foam::sqrt(magSqr(S)*magSqr(d)) + VSMALL);
-}
-
-
-inline Foam::scalar Foam::fsbi::meshRepair::shape(const tetPoints& t) const
-{
-    const vector a(points_[t[1]] - points_[t[0]]);
-    const vector b(points_[t[2]] - points_[t[0]]);
-    const vector c(points_[t[3]] - points_[t[0]]);
-    const scalar squares =
-        magSqr(a) + magSqr(b) + magSqr(c)
-      + magSqr(a - b) + magSqr(b - c) + magSqr(c - a);
-    const scalar mean = squares/6;
-    // 6 sqrt 2 V = sqrt 2 ((a ^ b) & c)
-    return Foam::sqrt(2.0)*((a ^ b) & c)/(mean*Foam::sqrt(mean) + VSMALL);
-}
-
-
-inline Foam::scalar Foam::fsbi::meshRepair::weight(const tetPoints& t) const
-{
-    const scalar q = shape(t);
-    return q > flat ? 0.2*pow4(0.2/q) : 1e6*(1 + 100*(flat - q));
-}
-
-
-// Cells by their numbers, or as their points
-inline const Foam::fsbi::tetPoints& Foam::fsbi::meshRepair::pointsOf
-(
-    const label celli
-) const
-{
-    return cells_[celli];
-}
-
-
-inline const Foam::fsbi::tetPoints& Foam::fsbi::meshRepair::pointsOf
-(
-    const tetPoints& t
-) const
-{
-    return t;
-}
-
-
-template<class Cells>
-Foam::scalar Foam::fsbi::meshRepair::badness
-(
-    const Cells& cells, const scalar limit
-) const
-{
-    scalar sum = 0;
-    for (const auto& cell : cells)
-    {
-        sum += weight(pointsOf(cell));
-        if (sum > limit)
-        {
-            return sum;
-        }
-    }
-    for (const tetrahedra::side& s : sides_)
-    {
-        if (s.out >= 0)
-        {
-            const scalar e = sqr((1 - cosine(s))/0.5);
-            sum += mild_ ? e : pow4(e);
-            if (sum > limit)
-            {
-                return sum;
-            }
-        }
-    }
-    return sum;
-}
-
 
 bool Foam::fsbi::meshRepair::isBad(const patient& p, const scalar limit) const
 {
@@ -395,117 +300,6 @@ std::vector<Foam::label> Foam::fsbi::meshRepair::treat
     }
     sortUnique(points);
     return points;
-}
-
-
-Foam::scalar Foam::fsbi::meshRepair::around
-(
-    const label pointi, point& centre, scalar& length
-)
-{
-    cells_.star(pointi, star_);
-    cells_.sides(star_, sides_);
-    // near points count more: the mean alone would make small cells larger
-    centre = Zero;
-    scalar weight = 0;
-    length = 0;
-    for (const label c : star_)
-    {
-        for (const label v : cells_[c])
-        {
-            if (v != pointi)
-            {
-                const scalar edge = mag(points_[v] - points_[pointi]);
-                centre += points_[v]/(edge + VSMALL);
-                weight += 1/(edge + VSMALL);
-                length += edge;
-            }
-        }
-    }
-    centre /= weight;
-    length /= 3*star_.size();
-    return badness(star_, GREAT);
-}
-
-
-bool Foam::fsbi::meshRepair::better
-(
-    const label pointi, const point& x, scalar& least
-)
-{
-    const point before(points_[pointi]);
-    points_[pointi] = x;
-    if (mobility_[pointi] == SLIDING)
-    {
-        const vector& n = normals_.at(pointi);
-        points_[pointi] -= n*(n & (x - before));
-    }
-    const scalar limit = (1 - roundOff)*least;
-    const scalar b = badness(star_, limit);
-    if (b < limit)
-    {
-        least = b;
-        return true;
-    }
-    points_[pointi] = before;
-    return false;
-}
-
-
-void Foam::fsbi::meshRepair::centre(const label pointi)
-{
-    if (mobility_[pointi] == FIXED)
-    {
-        return;
-    }
-    const point start(points_[pointi]);
-    point middle;
-    scalar length;
-    scalar least = around(pointi, middle, length);
-    if
-    (
-        better(pointi, middle, least)
-     || better(pointi, 0.5*(start + middle), least)
-    )
-    {
-        touch(star_);
-    }
-}
-
-
-void Foam::fsbi::meshRepair::smooth(const label pointi)
-{
-    if (mobility_[pointi] == FIXED)
-    {
-        return;
-    }
-    const point start(points_[pointi]);
-    point middle;
-    scalar step;
-    const scalar before = around(pointi, middle, step);
-    scalar least = before;
-    better(pointi, 0.5*(start + middle), least);
-    better(pointi, middle, least);
-    step *= firstStep;
-    for (label k = 0; k < nSteps; ++k)
-    {
-        bool any = false;
-        for (direction i = 0; i < 6; ++i)
-        {
-            point x(points_[pointi]);
-            x[i/2] += i % 2 ? -step : step;
-            any = better(pointi, x, least) || any;
-        }
-        step *= any ? 1 : shorter;
-    }
-    if (least < (1 - worthwhile)*before)
-    {
-        touch(star_);
-    }
-    else
-    {
-        points_[pointi] = start;
-    }
 }
 
 

@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "forceError.H"
-#include "fourthOrderStokes.H"
+#include "equivalentEllipsoid.H"
 
 namespace Foam
 {
@@ -35,14 +35,9 @@ public:
     :
         centre_(body.placed().centre)
     {
-        const bodySurface surface(body.meshedSurface());
-        const symmTensor inertia(surface.inertia());
-        const symmTensor moments
-        (
-            (0.5*tr(inertia)*symmTensor::I - inertia)/surface.volume()
-        );
+        const equivalentEllipsoid shape(body.meshedSurface());
         perSquare_ =
-            inv(5*moments + around*sqr(body.radius())*symmTensor::I);
+            inv(5*shape.moments + around*sqr(body.radius())*symmTensor::I);
     }
 
     bool contain(const point& x) const
@@ -87,7 +82,7 @@ Foam::List<Foam::scalarList> Foam::fsbi::forceError::nearBodies
 
 bool Foam::fsbi::forceError::expected(const stokesOperator& stokes) const
 {
-    return isA<fourthOrderStokes>(stokes) && mesh_.bodies().size();
+    return stokes.knowsDefects() && mesh_.bodies().size();
 }
 
 
@@ -100,10 +95,7 @@ void Foam::fsbi::forceError::evaluate
     {
         return;
     }
-    const scalarField power
-    (
-        dynamic_cast<const fourthOrderStokes&>(stokes).defectPower()
-    );
+    const scalarField power(stokes.defectPower());
     const scalarField& V = mesh_.mesh().cellVolumes();
     const scalarField dissipation
     (

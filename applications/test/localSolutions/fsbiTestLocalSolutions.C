@@ -16,7 +16,6 @@ Description
 #include "appliedOperator.H"
 #include "checks.H"
 #include "cubicFlow.H"
-#include "fourthOrderStokes.H"
 #include "meshDistribution.H"
 #include "petscObjects.H"
 #include "problem.H"
@@ -28,12 +27,6 @@ using namespace Foam::fsbi;
 
 static const scalar mu = 1.7;
 
-static const fourthOrderStokes& fourth(const stokesOperator& stokes)
-{
-    return dynamic_cast<const fourthOrderStokes&>(stokes);
-}
-
-
 //- Power of what fits leave, over the dissipation, of the whole flow
 static scalar defects(const stokesOperator& stokes, const fvMesh& mesh)
 {
@@ -41,7 +34,7 @@ static scalar defects(const stokesOperator& stokes, const fvMesh& mesh)
     (
         2*mu*magSqr(symm(stokes.velocityGradients()))*mesh.cellVolumes()
     );
-    return gSum(fourth(stokes).defectPower()())/gSum(dissipation);
+    return gSum(stokes.defectPower()())/gSum(dissipation);
 }
 
 
@@ -322,7 +315,7 @@ static void checkParallel(checks& c)
         disturb(a, identity(mesh->nCells()));
         r = a.r;
         traction = a.traction;
-        power = fourth(a.stokes).defectPower();
+        power = a.stokes.defectPower();
         Pstream::parRun() = true;
     }
     Pstream::scatter(r);
@@ -347,7 +340,7 @@ static void checkParallel(checks& c)
             tractions = max(tractions, mag(a.traction[i] - traction[facei]));
         }
     }
-    const scalarField own(fourth(a.stokes).defectPower());
+    const scalarField own(a.stokes.defectPower());
     scalar powers = 0;
     forAll(own, i)
     {
