@@ -213,6 +213,19 @@ void Foam::fsbi::caseInput::check
 }
 
 
+void Foam::fsbi::caseInput::checkAlone
+(
+    const argList& args, const word& file, const char* what
+)
+{
+    const caseInput input(args.globalPath());
+    input.require("system/controlDict", "is this the folder of a case?");
+    input.require("system"/file, what);
+    input.checkFile("system/controlDict");
+    input.checkFile("system"/file);
+}
+
+
 void Foam::fsbi::caseInput::reportFolders(const wordList& regions) const
 {
     for (const word& folder : regionFolders())

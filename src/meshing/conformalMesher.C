@@ -156,7 +156,7 @@ Foam::fsbi::outcome Foam::fsbi::conformalMesher::apart
 
     forAll(bodies, b)
     {
-        const outcome solid(bodies[b].solid(names[b]));
+        const outcome solid(bodies[b].solid("body '" + names[b] + "'"));
         if (!solid)
         {
             return solid;

@@ -81,26 +81,31 @@ Foam::fsbi::gmshModel::gmshModel(const scalar diameter)
 
 void Foam::fsbi::gmshModel::addSurface(const bodySurface& surface)
 {
-    const int tag = gmsh::model::addDiscreteEntity(2, 100001 + given_.size());
-    std::vector<std::size_t> nodes, elements;
-    std::vector<double> coordinates;
-    for (const point& x : surface.points())
+    const label first = nGivenPoints_ + 1;
+    const label nPoints = surface.points().size();
+    for (const bodySurface::shell& shell : surface.shells())
     {
-        const point p(scale_*x);
-        nodes.push_back(nGivenPoints_ + nodes.size() + 1);
-        coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
-    }
-    for (const triFace& t : surface.triangles())
-    {
-        for (const label p : t)
+        const int tag = gmsh::model::addDiscreteEntity(2, 100001 + given_.size());
+        std::vector<std::size_t> nodes, corners;
+        std::vector<double> coordinates;
+        for (const label i : shell.points)
         {
-            elements.push_back(nGivenPoints_ + p + 1);
+            const point p(scale_*surface.points()[i]);
+            nodes.push_back(first + i);
+            coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
         }
+        for (const label i : shell.triangles)
+        {
+            for (const label p : surface.triangles()[i])
+            {
+                corners.push_back(first + p);
+            }
+        }
+        gmsh::model::mesh::addNodes(2, tag, nodes, coordinates);
+        gmsh::model::mesh::addElementsByType(tag, 2, {}, corners);
+        given_.push_back(tag);
     }
-    gmsh::model::mesh::addNodes(2, tag, nodes, coordinates);
-    gmsh::model::mesh::addElementsByType(tag, 2, {}, elements);
-    nGivenPoints_ += nodes.size();
-    given_.push_back(tag);
+    nGivenPoints_ += nPoints;
 }
 
 

@@ -33,7 +33,26 @@ Foam::autoPtr<Foam::fvMesh> Foam::fsbi::meshLists::makeMesh
             labelList(owner), labelList(neighbour)
         )
     );
-    addPatches(mesh());
+    mesh->addFvPatches(patchesFor(mesh->boundaryMesh()));
+    return mesh;
+}
+
+
+Foam::autoPtr<Foam::polyMesh> Foam::fsbi::meshLists::makePolyMesh
+(
+    const IOobject& io
+) const
+{
+    autoPtr<polyMesh> mesh
+    (
+        new polyMesh
+        (
+            io,
+            pointField(points), faceList(faces),
+            labelList(owner), labelList(neighbour)
+        )
+    );
+    mesh->addPatches(patchesFor(mesh->boundaryMesh()));
     return mesh;
 }
 
@@ -48,11 +67,14 @@ void Foam::fsbi::meshLists::replaceIn(fvMesh& mesh) const
         autoPtr<labelList>::New(owner), autoPtr<labelList>::New(neighbour),
         labelList(), labelList()
     );
-    addPatches(mesh);
+    mesh.addFvPatches(patchesFor(mesh.boundaryMesh()));
 }
 
 
-void Foam::fsbi::meshLists::addPatches(fvMesh& mesh) const
+Foam::List<Foam::polyPatch*> Foam::fsbi::meshLists::patchesFor
+(
+    const polyBoundaryMesh& boundary
+) const
 {
     List<polyPatch*> patches(patchNames.size());
     forAll(patches, i)
@@ -61,9 +83,9 @@ void Foam::fsbi::meshLists::addPatches(fvMesh& mesh) const
         dict.set("nFaces", patchSizes[i]);
         dict.set("startFace", patchStarts[i]);
         patches[i] =
-            polyPatch::New(patchNames[i], dict, i, mesh.boundaryMesh()).ptr();
+            polyPatch::New(patchNames[i], dict, i, boundary).ptr();
     }
-    mesh.addFvPatches(patches);
+    return patches;
 }
 
 

@@ -6,6 +6,29 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "sizeField.H"
 #include "polyMesh.H"
 
+namespace Foam
+{
+namespace fsbi
+{
+
+//- What gmsh is to be asked for to get cells like those of the background: the
+//  edges of hexahedra; of tetrahedra those of regular ones, over what gmsh's are
+//  longer than asked for (see bodyMesher)
+static scalarField cellSizes(const polyMesh& domain)
+{
+    const scalar ofTetrahedron = Foam::cbrt(6*Foam::sqrt(2.0))/1.4;
+    scalarField sizes(Foam::cbrt(domain.cellVolumes()));
+    forAll(sizes, c)
+    {
+        sizes[c] *= domain.cells()[c].size() == 4 ? ofTetrahedron : 1;
+    }
+    return sizes;
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsbi::sizeField::addSurface(const bodySurface& surface)
@@ -108,7 +131,7 @@ Foam::fsbi::sizeField::sizeField
     if (farSize_ <= 0)
     {
         cellCentres_ = domain.cellCentres() + shift;
-        cellSizes_ = Foam::cbrt(domain.cellVolumes());
+        cellSizes_ = cellSizes(domain);
         cells_.reset
         (
             new indexedOctree<treeDataPoint>

@@ -160,7 +160,8 @@ void Foam::fsbi::fluidMesh::readDomain()
     if (!wholeMesh::exists(time_, polyMesh::defaultRegion))
     {
         FatalErrorInFunction
-            << "There is no domain to put the bodies in: run blockMesh first ("
+            << "There is no domain to put the bodies in: run blockMesh, or"
+            << " fsbiDomain, first ("
             << time_.globalPath()/time_.constant()/polyMesh::meshSubDir
             << " is missing)" << exit(FatalError);
     }

@@ -11,6 +11,10 @@ namespace Foam
 namespace fsbi
 {
 
+//- A domain is long if its diagonal is so many hydraulic radii. A cube with given
+//  velocity all around has 5.2, a round tube of twice its diameter in length 5.8
+static const scalar longDomain = 7;
+
 //- Walls face each other if the cosine between their normals is below
 static const scalar facing = -0.7;
 
@@ -79,4 +83,26 @@ Foam::scalarField Foam::fsbi::gapDrag(const stokesOperator& stokes)
         drag[celli] = d > 0 ? 12*stokes.mu()/sqr(d) : 0;
     }
     return drag;
+}
+
+
+Foam::scalar Foam::fsbi::channelDrag(const stokesOperator& stokes)
+{
+    const fvMesh& mesh = stokes.stencil().mesh();
+    scalar area = 0;
+    forAll(stokes.velocityGiven(), i)
+    {
+        const label facei = mesh.nInternalFaces() + i;
+        const label patchi = mesh.boundaryMesh().whichPatch(facei);
+        if (stokes.velocityGiven()[i] && !mesh.boundaryMesh()[patchi].coupled())
+        {
+            area += mag(mesh.faceAreas()[facei]);
+        }
+    }
+    reduce(area, sumOp<scalar>());
+    const scalar radius = 2*gSum(mesh.cellVolumes())/max(area, VSMALL);
+    return
+        mag(mesh.bounds().span()) > longDomain*radius
+      ? 8*stokes.mu()/sqr(radius)
+      : 0;
 }

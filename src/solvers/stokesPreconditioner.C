@@ -79,7 +79,7 @@ void Foam::fsbi::stokesPreconditioner::rebuild()
     setMatrix();
     createCycle(matrix_, cycle_);
     dragged_.clear();
-    scalarField drag(gapDrag(stokes_));
+    scalarField drag(max(gapDrag(stokes_), channelDrag(stokes_)));
     if (momentum_.massRate().size())
     {
         drag += momentum_.massRate()/mesh_.cellVolumes();

@@ -4,10 +4,10 @@
 flow around a sphere in a tube."""
 
 import numpy as np
-from sphere_in_tube import velocity
 
 from fsbi import plots
 from fsbi.history import History
+from fsbi.tube import velocity
 
 FLOW = 1e-3         # um/us on the axis
 TUBE = 8            # um

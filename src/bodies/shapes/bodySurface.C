@@ -9,6 +9,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "error.H"
 #include "OStringStream.H"
 
+#include <algorithm>
+#include <map>
 #include <unordered_map>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -33,7 +35,7 @@ Foam::scalar Foam::fsbi::bodySurface::moments
 }
 
 
-Foam::fsbi::outcome Foam::fsbi::bodySurface::closed(const word& name) const
+Foam::fsbi::outcome Foam::fsbi::bodySurface::closed(const string& what) const
 {
     // uses forward and backward of every undirected edge
     std::unordered_map<uint64_t, std::pair<int, int>> uses;
@@ -60,7 +62,7 @@ Foam::fsbi::outcome Foam::fsbi::bodySurface::closed(const word& name) const
     {
         return outcome::failed
         (
-            "The surface of body '" + name + "' does not enclose a solid: "
+            "The surface of " + what + " does not enclose a solid: "
           + Foam::name(open) + " edges with one triangle only (open), "
           + Foam::name(nonManifold)
           + " edges with more than two triangles (non-manifold), "
@@ -238,9 +240,59 @@ Foam::fsbi::bodySurface Foam::fsbi::bodySurface::standingFor
 }
 
 
-Foam::fsbi::outcome Foam::fsbi::bodySurface::solid(const word& name) const
+std::vector<Foam::fsbi::bodySurface::shell>
+Foam::fsbi::bodySurface::shells() const
 {
-    const outcome edges(closed(name));
+    // every point leads to the lowest of its shell
+    labelList root(identity(points_.size()));
+    const auto rootOf = [&](label p)
+    {
+        while (root[p] != p)
+        {
+            p = root[p] = root[root[p]];
+        }
+        return p;
+    };
+    for (const triFace& t : triangles_)
+    {
+        for (label i = 1; i < 3; ++i)
+        {
+            const label a = rootOf(t[0]), b = rootOf(t[i]);
+            root[max(a, b)] = min(a, b);
+        }
+    }
+    std::map<label, shell> found;
+    forAll(points_, p)
+    {
+        found[rootOf(p)].points.append(p);
+    }
+    forAll(triangles_, i)
+    {
+        const triFace& t = triangles_[i];
+        shell& s = found[rootOf(t[0])];
+        s.triangles.append(i);
+        s.volume += (points_[t[0]] & (points_[t[1]] ^ points_[t[2]]))/6;
+    }
+    std::vector<shell> sorted;
+    for (const auto& s : found)
+    {
+        if (s.second.triangles.size())
+        {
+            sorted.push_back(s.second);
+        }
+    }
+    std::stable_sort
+    (
+        sorted.begin(), sorted.end(),
+        [](const shell& a, const shell& b) { return a.volume < b.volume; }
+    );
+    return sorted;
+}
+
+
+Foam::fsbi::outcome Foam::fsbi::bodySurface::solid(const string& what) const
+{
+    const outcome edges(closed(what));
     if (!edges)
     {
         return edges;
@@ -250,7 +302,7 @@ Foam::fsbi::outcome Foam::fsbi::bodySurface::solid(const word& name) const
     {
         OStringStream reason;
         reason
-            << "The surface of body '" << name.c_str() << "' intersects itself: "
+            << "The surface of " << what.c_str() << " intersects itself: "
             << "triangles " << crossing.first() << " and " << crossing.second()
             << " cross near "
             << triangles_[crossing.first()].centre(points_);
@@ -262,7 +314,7 @@ Foam::fsbi::outcome Foam::fsbi::bodySurface::solid(const word& name) const
 
 void Foam::fsbi::bodySurface::check(const word& name) const
 {
-    const outcome found(solid(name));
+    const outcome found(solid("body '" + name + "'"));
     if (!found)
     {
         FatalErrorInFunction << found.reason.c_str() << exit(FatalError);

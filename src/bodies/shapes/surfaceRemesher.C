@@ -5,6 +5,19 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "surfaceRemesher.H"
 
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Twice the area of a triangle that has none, as three points of a line make it,
+//  over the size squared
+static const scalar flat = 1e-3;
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsbi::surfaceRemesher::connect()
@@ -33,6 +46,33 @@ void Foam::fsbi::surfaceRemesher::connect()
             }
         }
     }
+    onLine_.clear();
+    onLine_.setSize(points_.size());
+    for (const sharedEdge& e : edges_)
+    {
+        if (onLine(e))
+        {
+            onLine_[e.a].append(e.b);
+            onLine_[e.b].append(e.a);
+        }
+    }
+}
+
+
+Foam::point Foam::fsbi::surfaceRemesher::onSurface
+(
+    const point& x, const label p
+) const
+{
+    labelPair parts(parts_[around_[p][0]], parts_[around_[p][0]]);
+    for (const label t : around_[p])
+    {
+        if (parts_[t] != parts.first())
+        {
+            parts.second() = parts_[t];
+        }
+    }
+    return project_(x, parts);
 }
 
 
@@ -52,8 +92,9 @@ Foam::label Foam::fsbi::surfaceRemesher::opposite
 }
 
 
-void Foam::fsbi::surfaceRemesher::split()
+Foam::label Foam::fsbi::surfaceRemesher::split()
 {
+    const label before = points_.size();
     // longest first; a triangle is cut once, the next sweep cuts on
     boolList cut(triangles_.size(), false);
     DynamicList<label> order;
@@ -77,7 +118,8 @@ void Foam::fsbi::surfaceRemesher::split()
             continue;
         }
         const label middle = points_.size();
-        points_.append(project_(0.5*(points_[e.a] + points_[e.b])));
+        points_.append(project_(0.5*(points_[e.a] + points_[e.b]), sides(e)));
+        corner_.append(false);
         for (const label t : {e.left, e.right})
         {
             cut[t] = true;
@@ -89,8 +131,44 @@ void Foam::fsbi::surfaceRemesher::split()
             }
             triangles_[t] = first;
             triangles_.append(second);
+            parts_.append(label(parts_[t]));
         }
     }
+    return points_.size() - before;
+}
+
+
+bool Foam::fsbi::surfaceRemesher::mayJoin(const sharedEdge& e) const
+{
+    if (!onLine(e))
+    {
+        // or a line would leave its place
+        return !fixity(e.a) || !fixity(e.b);
+    }
+    if (corner_[e.a] && corner_[e.b])
+    {
+        return false;
+    }
+    // a line that closes in itself has three points at least
+    for (const label a : onLine_[e.a])
+    {
+        if (onLine_[e.b].found(a))
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
+Foam::point Foam::fsbi::surfaceRemesher::joined(const sharedEdge& e) const
+{
+    const label a = fixity(e.a), b = fixity(e.b);
+    if (a != b)
+    {
+        return points_[a > b ? e.a : e.b];
+    }
+    return project_(0.5*(points_[e.a] + points_[e.b]), sides(e));
 }
 
 
@@ -126,13 +204,13 @@ bool Foam::fsbi::surfaceRemesher::collapsible
             }
         }
     }
-    return both.size() == 2 && roomAt(e);
+    return both.size() == 2 && mayJoin(e) && roomAt(e);
 }
 
 
 bool Foam::fsbi::surfaceRemesher::roomAt(const sharedEdge& e) const
 {
-    const point middle(project_(0.5*(points_[e.a] + points_[e.b])));
+    const point middle(joined(e));
     for (const label end : {e.a, e.b})
     {
         for (const label t : around_[end])
@@ -146,14 +224,21 @@ bool Foam::fsbi::surfaceRemesher::roomAt(const sharedEdge& e) const
             {
                 const label v = triangles_[t][j];
                 p[j] = v == end ? middle : points_[v];
-                if (v != end && mag(points_[v] - middle) > 4*size_/3)
+                const scalar most =
+                    evening_ ? max(4*size_/3, mag(points_[v] - points_[end]))
+                  : 4*size_/3;
+                if (v != end && mag(points_[v] - middle) > most)
                 {
                     return false;
                 }
             }
             const vector after((p[1] - p[0]) ^ (p[2] - p[0]));
             const vector before(triangles_[t].areaNormal(points_));
-            if ((after & before) < 0.5*mag(after)*mag(before))
+            if
+            (
+                mag(after) < flat*sqr(size_)
+             || (after & before) < 0.5*mag(after)*mag(before)
+            )
             {
                 return false;
             }
@@ -163,8 +248,9 @@ bool Foam::fsbi::surfaceRemesher::roomAt(const sharedEdge& e) const
 }
 
 
-void Foam::fsbi::surfaceRemesher::collapse()
+Foam::label Foam::fsbi::surfaceRemesher::collapse()
 {
+    label n = 0;
     boolList touched(points_.size(), false);
     for (const sharedEdge& e : edges_)
     {
@@ -182,7 +268,9 @@ void Foam::fsbi::surfaceRemesher::collapse()
                 }
             }
         }
-        points_[e.a] = project_(0.5*(points_[e.a] + points_[e.b]));
+        points_[e.a] = joined(e);
+        corner_[e.a] = corner_[e.a] || corner_[e.b];
+        ++n;
         for (const label t : around_[e.b])
         {
             for (label& p : triangles_[t])
@@ -194,6 +282,7 @@ void Foam::fsbi::surfaceRemesher::collapse()
         triangles_[e.left] = triangles_[e.right] = triFace(0, 0, 0);
     }
     compact();
+    return n;
 }
 
 
@@ -201,9 +290,12 @@ void Foam::fsbi::surfaceRemesher::compact()
 {
     labelList number(points_.size(), -1);
     DynamicList<point> points;
+    DynamicList<bool> corner;
     DynamicList<triFace> triangles;
-    for (triFace t : triangles_)
+    DynamicList<label> parts;
+    forAll(triangles_, i)
     {
+        triFace t(triangles_[i]);
         if (t[0] == t[1])
         {
             continue;
@@ -214,13 +306,17 @@ void Foam::fsbi::surfaceRemesher::compact()
             {
                 number[p] = points.size();
                 points.append(points_[p]);
+                corner.append(corner_[p]);
             }
             p = number[p];
         }
         triangles.append(t);
+        parts.append(parts_[i]);
     }
     points_.transfer(points);
+    corner_.transfer(corner);
     triangles_.transfer(triangles);
+    parts_.transfer(parts);
 }
 
 
@@ -238,7 +334,7 @@ void Foam::fsbi::surfaceRemesher::flip()
     boolList changed(triangles_.size(), false);
     for (const sharedEdge& e : edges_)
     {
-        if (changed[e.left] || changed[e.right])
+        if (changed[e.left] || changed[e.right] || onLine(e))
         {
             continue;
         }
@@ -251,7 +347,7 @@ void Foam::fsbi::surfaceRemesher::flip()
         {
             joined = joined || triangles_[t].found(d);
         }
-        if (gain <= 0 || joined)
+        if (gain <= 0 || joined || (fixity(c) && fixity(d)))
         {
             continue;
         }
@@ -291,11 +387,23 @@ void Foam::fsbi::surfaceRemesher::smooth()
             normals[p] += n;
         }
     }
+    const pointField before(points_);
     forAll(points_, p)
     {
         const vector n(normals[p]/(mag(normals[p]) + VSMALL));
         const vector d(sum[p]/weight[p] - points_[p]);
-        points_[p] = project_(points_[p] + d - (d & n)*n);
+        if (fixity(p) == 0)
+        {
+            points_[p] = onSurface(points_[p] + d - (d & n)*n, p);
+        }
+        else if (fixity(p) == 1 && onLine_[p].size() == 2)
+        {
+            const point middle
+            (
+                0.5*(before[onLine_[p][0]] + before[onLine_[p][1]])
+            );
+            points_[p] = onSurface(middle, p);
+        }
     }
 }
 
@@ -304,24 +412,69 @@ void Foam::fsbi::surfaceRemesher::smooth()
 
 Foam::fsbi::surfaceRemesher::surfaceRemesher
 (
-    const bodySurface& start, const scalar size, const projection& project
+    const bodySurface& start,
+    const scalar size,
+    const std::function<point(const point&)>& project
+)
+:
+    surfaceRemesher
+    (
+        start, labelList(start.triangles().size(), Zero),
+        boolList(start.points().size(), false), size,
+        [project](const point& x, const labelPair&) { return project(x); }
+    )
+{
+    evening_ = false;
+}
+
+
+Foam::fsbi::surfaceRemesher::surfaceRemesher
+(
+    const bodySurface& start,
+    const labelUList& parts,
+    const UList<bool>& corners,
+    const scalar size,
+    const projection& project
 )
 :
     size_(size),
     project_(project),
+    evening_(true),
     points_(start.points()),
-    triangles_(start.triangles())
+    triangles_(start.triangles()),
+    parts_(parts),
+    corner_(corners)
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::fsbi::bodySurface Foam::fsbi::surfaceRemesher::run()
+void Foam::fsbi::surfaceRemesher::coarsen()
 {
-    for (label sweep = 0; sweep < 10; ++sweep)
+    // the sweeps that follow collapse, too
+    const scalar few = 0.01;
+    label collapsed = points_.size();
+    while (collapsed > few*points_.size())
     {
         connect();
-        split();
+        collapsed = collapse();
+        connect();
+        flip();
+    }
+}
+
+
+Foam::fsbi::bodySurface Foam::fsbi::surfaceRemesher::run()
+{
+    if (evening_)
+    {
+        coarsen();
+    }
+    label cut = 1;
+    for (label sweep = 0; sweep < 10 || (evening_ && cut && sweep < 50); ++sweep)
+    {
+        connect();
+        cut = split();
         connect();
         collapse();
         for (label i = 0; i < 3; ++i)
