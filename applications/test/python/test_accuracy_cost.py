@@ -5,9 +5,10 @@
 import numpy as np
 import pytest
 
-from fsbi.accuracy_cost import parameters, quantities
+from fsbi.accuracy_cost import parameters
 from fsbi.accuracy_cost.predict import Predictor
 from fsbi.accuracy_cost.study import front
+from fsbi.studies import quantities
 
 METHODS = parameters.Parameter("method", ["coupled", "SIMPLEC"], None, 0)
 BASE = dict(mesh="1", timeStep="1", tolerance="1", method="coupled")
@@ -61,7 +62,7 @@ def test_best_of_many_are_those_that_none_beats_in_both():
 
 
 @pytest.mark.parametrize("how, window, wanted", [
-    ("last", (), 2), ("max", (), 2), ("mean", (), 5 / 3), ("at=0.5", ([0.5],), 1),
+    ("last", (), 2), ("max", (), 2), ("sum", (), 4), ("mean", (), 5 / 3), ("at=0.5", ([0.5],), 1),
     ("mean=1,3", ([1, 3],), 2)])
 def test_series_is_reduced(how, window, wanted):
     t, v = np.array([0.0, 1, 3]), np.array([0.0, 2, 2])
