@@ -91,9 +91,9 @@ class Ensemble:
 
     # Running
 
-    def load(self):
-        """What is kept from before; how many runs that are."""
-        for member in self.members:
+    def load(self, members):
+        """What is kept of them from before; how many that are."""
+        for member in members:
             record = self.bench.load(member.settings, self.parameters)
             if record:
                 self._take(member, record["folder"])
@@ -101,7 +101,7 @@ class Ensemble:
                 member.failed = self.bench.failure(member.settings, self.parameters)
         for group in self.groups:
             group.update(self._enough)
-        return sum(m.ended() for m in self.members)
+        return sum(m.ended() for m in members)
 
     def waiting(self):
         return [m for m in self.members if not m.ended() and m.group.counts is None]
