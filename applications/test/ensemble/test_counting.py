@@ -61,6 +61,11 @@ parameters { a { entry "f:e"; values (1 2); } }
 seeds 40;
 quantities { happened { quantity "a.b"; above 0.5; halfWidth 0.2; } }
 """
+SOBOL = """
+parameters { a { entry "f:e"; range (0 1); } b { entry "f:g"; range (0 1); } }
+sampling Sobol; samples 8;
+quantities { q { quantity "a.b"; } }
+"""
 
 
 def run(ensemble, jobs, folder):
@@ -124,21 +129,23 @@ def test_without_halfWidth_all_are_run(study, tmp_path):        # noqa: N802
 
 
 def test_sample_with_a_run_that_failed_is_left_out_of_the_sensitivities(study, tmp_path):
-    text = """
-        parameters { a { entry "f:e"; range (0 1); } b { entry "f:g"; range (0 1); } }
-        sampling Sobol; samples 8;
-        quantities { q { quantity "a.b"; } }
-        """
     failing = []
 
     def value(settings):
         failing[:] = failing or [settings["a"]]
         return None if settings["a"] in failing else float(settings["a"])
 
-    ensemble = study(Bench(value), text)
+    ensemble = study(Bench(value), SOBOL)
     run(ensemble, 1, tmp_path)
     found, left = ensemble.blocks()
     assert left == 1 and found.shape == (7, 4, 1)
     # the first parameter is all there is
     first, total = statistics.sensitivities(found[:, :, 0])
     assert first[1] == total[1] == 0 and total[0] > 0.3
+
+
+def test_mean_of_sobols_samples_is_that_of_what_was_drawn_independently(study, tmp_path):
+    ensemble = study(Bench(lambda settings: float(settings["a"])), SOBOL)
+    run(ensemble, 1, tmp_path)
+    ((_, _, values, _),) = ensemble.estimates()
+    assert len(values) == len(set(values)) == 16

@@ -57,9 +57,9 @@ class Parameter(Varied):
         if "{}" not in self.form:
             given.refuse(f"form '{self.form}' has no {{}} where the value is to stand")
         self.given = given
-        kinds = ("values", "range", "normal", "logNormal") if sampling in DRAWN \
-            else ("values", "range")
-        self.kind = given.one(*kinds)
+        self.kind = given.one("values", "range", "normal", "logNormal")
+        if self.kind in ("normal", "logNormal") and sampling not in DRAWN:
+            given.refuse(f"{self.kind} belongs to {', '.join(DRAWN)}, not to a {sampling}")
         for word in ("number", "spacing"):
             if word in given and self.kind != "range":
                 given.refuse(f"'{word}' belongs to a range")
