@@ -39,15 +39,13 @@ def mean(values, confidence=0.95):
     values = np.asarray(values, float)
     if len(values) < 3:
         return np.nan, np.nan
-    if np.ptp(values) == 0:
-        return values[0], values[0]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")         # it says so by nan, too
         found = stats.bootstrap((values,), np.mean, confidence_level=confidence,
                                 n_resamples=RESAMPLES, batch=200, method="BCa",
                                 random_state=np.random.default_rng(SEED))
     low, high = found.confidence_interval
-    if not np.isfinite([low, high]).all():
+    if not np.isfinite([low, high]).all():       # all are equal, or nearly
         low, high = _percentiles(_resampled(values), confidence)
     return float(low), float(high)
 
