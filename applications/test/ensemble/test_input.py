@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What cannot be used is refused in one line that says where and what there is."""
 
+import os
 import shutil
 import subprocess
 
@@ -55,9 +56,9 @@ WRONG = {
 }
 
 
-def call(*arguments):
+def call(*arguments, **environment):
     return subprocess.run(["fsbiEnsemble", *arguments], capture_output=True, text=True,
-                          check=False)
+                          check=False, env={**os.environ, **environment})
 
 
 def one_line(done):
@@ -96,6 +97,12 @@ def test_quantity_that_no_run_has_ends_the_study_with_those_there_are(case):
     (case / "system/ensembleDict").write_text(TEXT.replace("bonds.selectin.f", "bonds.slectin.f"))
     text = one_line(call(str(case)))
     assert "'bonds.slectin.formed:sum'" in text and "effects.bonds.selectin.{number,formed" in text
+
+
+def test_environment_of_another_folder_does_no_harm(case):
+    (case / "system/ensembleDict").write_text(TEXT)
+    done = call(str(case), "--list", PWD="/nowhere")
+    assert done.returncode == 0 and done.stdout.count("--run") == 4
 
 
 def test_help_has_all_options():

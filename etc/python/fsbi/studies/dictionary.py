@@ -9,9 +9,9 @@
 
 import os
 import re
-import subprocess
 
 from . import Refused
+from .entries import foam_dictionary
 
 TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[{}();]|[^\s{}();"]+')
 
@@ -111,7 +111,7 @@ def read(case, file):
     path = os.path.join(case, file)
     if not os.path.isfile(path):
         raise Refused(f"there is no {file} in {case}")
-    done = subprocess.run(["foamDictionary", path], capture_output=True, text=True)
+    done = foam_dictionary(path)
     if done.returncode:
         error = re.search(r"--> FOAM FATAL.*?:\s*\n+(.*?)(\n\n|\Z)", done.stderr, re.S)
         raise Refused(f"{file}: {' '.join((error[1] if error else done.stderr).split())}")

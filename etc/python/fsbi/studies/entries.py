@@ -10,6 +10,13 @@ from . import Refused
 HEADER = "FoamFile { version 2.0; format ascii; class dictionary; object %s; }\n"
 
 
+def foam_dictionary(*arguments):
+    """Run it. A PWD that is not where this program is would make it say so among the
+    entries."""
+    return subprocess.run(["foamDictionary", *arguments], capture_output=True, text=True,
+                          env={**os.environ, "PWD": os.getcwd()})
+
+
 class Entries:
     """The dictionaries of one case, by foamDictionary; of those in fixed,
     (file, entry, value), as they will be."""
@@ -22,9 +29,7 @@ class Entries:
         return os.path.join(self.case, file)
 
     def _run(self, file, *arguments):
-        return subprocess.run(
-            ["foamDictionary", "-disableFunctionEntries", *arguments, self.path(file)],
-            capture_output=True, text=True)
+        return foam_dictionary("-disableFunctionEntries", *arguments, self.path(file))
 
     def get(self, file, entry):
         """Its text; None if there is none."""

@@ -151,6 +151,8 @@ def _derived(history, parts):
 
 def reduce(time, values, reduction, numbers=()):
     kind = reduction.partition("=")[0]
+    if not len(time):                   # a table of events, of which there were none
+        return 0.0 if kind == "sum" else np.nan
     if kind in ("last", "first"):
         return float(values[-1 if kind == "last" else 0])
     if kind in ("max", "min", "sum"):
