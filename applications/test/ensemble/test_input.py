@@ -20,7 +20,6 @@ parameters
 seeds 2;
 quantities { bond { quantity "bonds.selectin.formed:sum"; above 0; } }
 """
-ENTRY = "bonds/molecules/bottomWall/P-selectin/density"
 # what is replaced, by what, what the message has
 WRONG = {
     "an unknown keyword": ("seeds 2", "seed 2", "system/ensembleDict: unknown keyword 'seed'"),
@@ -36,7 +35,10 @@ WRONG = {
     "samples of a grid": ("seeds 2", "samples 4; seeds 2", "'samples' belongs to"),
     "Sobol's samples": ("seeds 2", "sampling Sobol; samples 12; seeds each", "power of two"),
     "no values": ("values  (100 800);", "", "has none of values, range"),
-    "values twice": ("(100 800)", "(100 100)", "twice"),
+    "values twice": ("(100 800)", "(100 100)", "100 stands there twice"),
+    "a list of other lengths": (
+        "    }\n}", "    }\n    b { entry \"constant/bodies:leukocyte/shape/size\"; values (1); }\n"
+        "}\nsampling list;", "2 of ligands, 1 of b"),
     "a range that falls": ("values  (100 800)", "range (2 1); number 3", "LOW below HIGH"),
     "a range without a number": ("values  (100 800)", "range (1 2)", "'number' is missing"),
     "a distribution in a grid": ("values  (100 800)", "normal (1 2)",

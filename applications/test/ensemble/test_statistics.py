@@ -28,6 +28,12 @@ def test_ten_of_ten_have_an_interval_of_n_over_n_plus_z2_to_one():
     assert statistics.proportion(10, 10, 0.99) == pytest.approx((10 / (10 + z * z), 1), rel=1e-12)
 
 
+@pytest.mark.parametrize("trials", [3, 20, 77])
+def test_none_and_all_have_an_end_at_zero_and_one(trials):
+    assert statistics.proportion(0, trials)[0] == 0
+    assert statistics.proportion(trials, trials)[1] == 1
+
+
 @pytest.mark.parametrize("confidence, z", [(0.95, 1.959964), (0.8, 1.281552)])
 def test_bootstrap_of_large_samples_has_the_normal_interval(confidence, z):
     # bound: an end is off by sqrt(p (1 - p)/2000)/pdf(z), p its tail, at random: 0.060 and

@@ -8,7 +8,7 @@ from fsbi.studies import Refused, dictionary
 from fsbi.studies.quantities import Quantity
 
 from . import statistics
-from .sampling import DRAWN, SAMPLINGS, Parameter, Varied, check_entries
+from .sampling import DRAWN, SAMPLINGS, Parameter, Varied, check_entries, plan
 
 FILE = "system/ensembleDict"
 SEED_ENTRY = "constant/effects:bonds/seed"
@@ -89,7 +89,7 @@ class Description:
             top.refuse(f"Sobol wants a power of two as samples, not {self.samples}")
         self.parameters = [Parameter(name, given, self.sampling)
                            for name, given in top.sections("parameters").items()]
-        self._check_lengths()
+        self._check_points()
         self.seed = self._seed()
         self.results = [Result(name, given, self.sampling)
                         for name, given in top.sections("quantities").items()]
@@ -99,13 +99,19 @@ class Description:
         self.prepare = dictionary.shown(top.get("prepare", "blockMesh"))
         self._check_names()
 
-    def _check_lengths(self):
-        lengths = [] if self.sampling != "list" else \
-            [len(p.listed()) for p in self.parameters]
-        if len(set(lengths)) > 1:
+    def _check_points(self):
+        """Of a list side by side, of a grid each once."""
+        if self.drawn:
+            return
+        columns = [p.listed() for p in self.parameters]
+        if self.sampling == "list" and len(set(map(len, columns))) > 1:
             self.top.refuse("sampling list takes values side by side, but there are "
-                            + ", ".join(f"{n} of {p.name}"
-                                        for p, n in zip(self.parameters, lengths)))
+                            + ", ".join(f"{len(c)} of {p.name}"
+                                        for p, c in zip(self.parameters, columns)))
+        points = plan(self.sampling, self.parameters, None)
+        twice = [point for point in points if points.count(point) > 1]
+        if twice:
+            self.top.refuse(f"{' '.join(twice[0])} stands there twice")
 
     def _seed(self):
         """None: the case has its own in all runs."""

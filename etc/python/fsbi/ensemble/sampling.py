@@ -22,7 +22,6 @@ import itertools
 import numpy as np
 from scipy import stats
 
-from fsbi.studies import Refused
 from fsbi.studies.dictionary import shown
 
 DRAWN = ("random", "latinHypercube", "Sobol")
@@ -72,8 +71,6 @@ class Parameter(Varied):
     def _read(self):
         if self.kind == "values":
             self.texts = [shown(v) for v in self.given.list("values")]
-            if len(set(self.texts)) < len(self.texts):
-                self.given.refuse("a value stands there twice")
             return
         self.pair = low, high = self.given.pair(self.kind)
         if self.kind == "range" and not low < high:
@@ -137,11 +134,7 @@ def plan(sampling, parameters, samples):
     if sampling == "grid":
         return [list(row) for row in itertools.product(*(p.listed() for p in parameters))]
     if sampling == "list":
-        columns = [p.listed() for p in parameters]
-        if len(set(map(len, columns))) > 1:
-            raise Refused("sampling list: parameters have different numbers of values: "
-                          + ", ".join(f"{p.name} {len(c)}" for p, c in zip(parameters, columns)))
-        return [list(row) for row in zip(*columns)]
+        return [list(row) for row in zip(*(p.listed() for p in parameters))]
     rows = points(sampling, len(parameters), samples)
     return [[p.at(u) for p, u in zip(parameters, row)] for row in rows]
 
@@ -152,8 +145,6 @@ def points(sampling, dimensions, samples):
         return np.random.default_rng(SEED).random((samples, dimensions))
     if sampling == "latinHypercube":
         return stats.qmc.LatinHypercube(dimensions, seed=SEED).random(samples)
-    if samples & (samples - 1):
-        raise Refused(f"sampling Sobol wants a power of two as samples, not {samples}")
     both = stats.qmc.Sobol(2 * dimensions, seed=SEED).random(samples)
     return saltelli(both[:, :dimensions], both[:, dimensions:])
 
