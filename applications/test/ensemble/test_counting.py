@@ -9,7 +9,7 @@ import time
 
 import pytest
 
-from fsbi.ensemble import report, statistics
+from fsbi.ensemble import draw, report, statistics
 from fsbi.ensemble.dictionary import Description
 from fsbi.ensemble.study import LEAST, Ensemble
 from fsbi.studies.quantities import Quantity
@@ -149,3 +149,39 @@ def test_mean_of_sobols_samples_is_that_of_what_was_drawn_independently(study, t
     run(ensemble, 1, tmp_path)
     ((_, _, values, _),) = ensemble.estimates()
     assert len(values) == len(set(values)) == 16
+
+
+EACH = """
+parameters
+{
+    a { entry "f:e"; range (1 9); spacing logarithmic; }
+    law { entry "f:g"; values (Bell Dembo); }
+}
+seeds each;
+quantities { yes { quantity "a.b"; above 3; } q { quantity "a.b"; } }
+"""
+LIST = EACH.replace("range (1 9); spacing", "range (1 9); number 2; spacing").replace("each", "4")
+
+
+@pytest.mark.parametrize("text, rows", [
+    ("sampling random; samples 16;" + EACH, 16),
+    ("sampling latinHypercube; samples 12;" + EACH, 12),
+    ("sampling Sobol; samples 8;" + EACH, 40), ("sampling list;" + LIST, 8), (LIST, 16)],
+    ids=["random", "latinHypercube", "Sobol", "list", "grid"])
+def test_every_sampling_has_tables_and_a_picture(study, tmp_path, text, rows):
+    ensemble = study(Bench(lambda settings: float(settings["a"])), text)
+    ensemble.bench.folder = str(tmp_path)
+    ensemble.load(ensemble.members)
+    with open(os.devnull, "w") as nowhere:
+        ensemble.run(1, nowhere)
+    report.write(ensemble)
+    draw.draw(ensemble, f"{tmp_path}/ensemble.png")
+
+    def lines(name):
+        with open(tmp_path / name) as file:
+            return len(file.readlines()) - 1
+
+    assert lines("table.csv") == rows
+    assert lines("summary.csv") == 2 * len(ensemble.groups)
+    assert os.path.getsize(tmp_path / "ensemble.png") > 5000
+    assert "Sobol" not in text or lines("sensitivities.csv") == 6

@@ -196,3 +196,37 @@ def test_changed_case_is_run_again(one):
     with open("two/system/remeshDict", "a") as file:
         file.write("\nminSize 0.5;\n")
     assert len(call("two", "--list").stdout.splitlines()) == 6
+
+
+def child(parent, name):
+    """A program that another has started."""
+    for path in glob.glob("/proc/[0-9]*/stat"):
+        try:
+            with open(path) as file:
+                pid, program, _, ppid = file.read().split()[:4]
+        except OSError:             # it has ended
+            continue
+        if program == f"({name})" and int(ppid) == parent:
+            return int(pid)
+    return None
+
+
+def test_program_ended_from_outside_is_not_a_run_and_not_a_failure_that_is_kept():
+    """As by a batch system, whose SIGTERM fsbiFoam takes for a good end."""
+    new("killed")
+    subprocess.run(["foamDictionary", "-disableFunctionEntries", "-entry", "endTime", "-set",
+                    "4000000", "killed/system/controlDict"], check=True, capture_output=True)
+    process = subprocess.Popen(["fsbiEnsemble", "killed", "--run", "1"], text=True,
+                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    begin = time.monotonic()
+    while not (pid := child(process.pid, "fsbiFoam")) and time.monotonic() - begin < 60:
+        time.sleep(0.05)
+    time.sleep(3)                   # it meshes, and steps for minutes
+    os.kill(pid, signal.SIGTERM)
+    text = process.communicate()[0]
+    assert process.returncode == 1 and "fsbiFoam: Interrupted at" in text
+    assert not glob.glob("killed/ensemble/runs/*/*.json")
+
+
+def test_program_that_fails_is_kept_as_such(one):
+    assert len(glob.glob("one/ensemble/runs/*/failed.json")) == 3

@@ -71,6 +71,8 @@ def _lines(ensemble):
             a.errorbar(x, y, bars, capsize=3, label=name, color=plots.COLOURS[j % 6],
                        marker=plots.MARKERS[j % 6], mfc="white", lw=1)
         a.set_ylabel(_label(ensemble, result))
+        if result.yes_or_no():
+            a.set_ylim(-0.05, 1.05)
         if len(lines) > 1:
             a.legend()
     return figure

@@ -142,7 +142,8 @@ class Ensemble:
 
     def counting(self):
         """In the order of the numbers."""
-        return [m for m in self.members if m in set(m.group.counting())]
+        found = [m for group in self.groups for m in group.counting()]
+        return sorted(found, key=lambda m: m.number)
 
     def estimates(self):
         """(group, result, values that count, (value, low, high)) of all."""

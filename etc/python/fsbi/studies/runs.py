@@ -30,6 +30,8 @@ from .quantities import summarise_fields
 MADE = re.compile(r"log\..*|postProcessing|processors?\d*.*|VTK|pictureVTK|runs|dynamicCode"
                   r"|accuracyCost|ensemble|.*\.(png|md|h5.*|py|csv)|Allrun|Allclean|.*\.foam"
                   r"|__pycache__")
+# signals by which a person or a batch system ends a program
+OUTSIDE = (signal.SIGINT, signal.SIGTERM, signal.SIGKILL, signal.SIGHUP, signal.SIGXCPU)
 
 
 class Failed(Exception):
@@ -218,10 +220,13 @@ class Bench:
             raise
         finally:
             self.running.discard(process)
+        with open(os.path.join(folder, log), errors="replace") as file:
+            text = file.read()
         if status:
-            with open(os.path.join(folder, log), errors="replace") as file:
-                raise Failed(why or _reason(command[0], file.read(), status),
-                             again=not why and not status & 127)
+            raise Failed(why or _reason(command[0], text, status),
+                         again=not why and status & 127 not in OUTSIDE)
+        if ended := re.search(r"^Interrupted at .*", text, re.M):
+            raise Failed(f"{command[0]}: {ended[0]}")       # which it calls success
         return usage
 
     def _wait(self, process, begin, log, tell):
