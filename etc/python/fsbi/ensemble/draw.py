@@ -1,8 +1,8 @@
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The picture of an ensemble: of a grid or list every result over the first parameter,
-a line for the values of the others; of drawn values every result over each; with
-sampling Sobol the indices."""
+"""The picture of an ensemble: of a grid or list every result over the parameter with
+the most values, in a grid with a line for the values of the others; of drawn values
+every result over each; with sampling Sobol the indices."""
 
 import numpy as np
 
@@ -33,11 +33,12 @@ def _axis(axes, parameter, texts):
     """Places of texts on the x axis, which is made for them."""
     places = _numbers(texts)
     if places is None:
-        names = list(dict.fromkeys(texts))
+        names = list(dict.fromkeys(parameter.texts))
         axes.set_xticks(range(len(names)), names)
+        axes.set_xlim(-0.5, len(names) - 0.5)
         places = [names.index(t) for t in texts]
-    elif parameter.logarithmic and min(places) > 0:
-        axes.set_xscale("log")
+    elif parameter.logarithmic:
+        plots.plain_logarithm(axes)
     axes.set_xlabel(parameter.name)
     return np.array(places, float)
 
@@ -52,13 +53,13 @@ def _lines(ensemble):
     results = ensemble.results
     figure, axes = plots.plt.subplots(len(results), 1, squeeze=False,
                                       figsize=(6.4, 1 + 3.2 * len(results)))
-    first = ensemble.about.parameters[0]
-    apart = ensemble.about.parameters[1:] if ensemble.about.sampling == "grid" else []
-    places = _axis(axes[0][0], first, [g.settings[first.name] for g in ensemble.groups])
+    first = max(ensemble.about.parameters, key=lambda p: len(set(p.listed())))
+    grid = ensemble.about.sampling == "grid"
+    apart = [p for p in ensemble.about.parameters if grid and p is not first]
     found = list(ensemble.estimates())
     for i, result in enumerate(results):
         a = axes[i][0]
-        _axis(a, first, [g.settings[first.name] for g in ensemble.groups])
+        places = _axis(a, first, [g.settings[first.name] for g in ensemble.groups])
         lines = {}
         for place, (group, _, values, estimate) in zip(places, found[i::len(results)]):
             name = ", ".join(f"{p.name} {group.settings[p.name]}" for p in apart)
@@ -69,7 +70,7 @@ def _lines(ensemble):
             x, y, low, high = np.array(sorted(rows)).T
             bars = np.nan_to_num([np.maximum(y - low, 0), np.maximum(high - y, 0)])
             a.errorbar(x, y, bars, capsize=3, label=name, color=plots.COLOURS[j % 6],
-                       marker=plots.MARKERS[j % 6], mfc="white", lw=1)
+                       marker=plots.MARKERS[j % 6], mfc="white", lw=1, ls="-" if grid else "")
         a.set_ylabel(_label(ensemble, result))
         if result.yes_or_no():
             a.set_ylim(-0.05, 1.05)
