@@ -3,10 +3,14 @@
 """What cannot be used is refused in one line that says where and what there is."""
 
 import os
+import re
 import shutil
 import subprocess
 
 import pytest
+
+from fsbi.ensemble import sampling
+from fsbi.ensemble.dictionary import RESULT_WORDS, WORDS, Description
 
 TEXT = """FoamFile { version 2.0; format ascii; class dictionary; object ensembleDict; }
 parameters
@@ -111,3 +115,21 @@ def test_help_has_all_options():
     done = call("-help")
     assert done.returncode == 0
     assert all(f"\n    {o} " in done.stdout for o in ("--jobs", "--list", "--run"))
+
+
+MANUAL = os.path.join(os.environ["FSBI_DIR"], "etc/dictionaries/ensembleDict")
+
+
+def test_manual_is_a_dictionary_that_can_be_used(tmp_path):
+    (tmp_path / "system").mkdir()
+    shutil.copy(MANUAL, tmp_path / "system")
+    about = Description(str(tmp_path))
+    assert [p.name for p in about.all_parameters()] == ["blocked", "density", "height", "seed"]
+    assert len(sampling.plan("grid", about.parameters, None)) == 3 * 4 * 2
+
+
+def test_manual_has_every_keyword():
+    with open(MANUAL) as file:
+        text = file.read()
+    words = (*sampling.WORDS, *sampling.SAMPLINGS, *WORDS, *RESULT_WORDS)
+    assert [w for w in words if not re.search(rf"\b{w}\b", text)] == []

@@ -11,6 +11,9 @@ from . import statistics
 from .sampling import DRAWN, SAMPLINGS, Parameter, Varied, check_entries, plan
 
 FILE = "system/ensembleDict"
+WORDS = ("parameters", "quantities", "sampling", "samples", "seeds", "seedEntry",
+         "confidence", "prepare")
+RESULT_WORDS = ("quantity", "above", "below", "halfWidth")
 SEED_ENTRY = "constant/effects:bonds/seed"
 
 
@@ -35,7 +38,7 @@ class Result:
     """A quantity that every run has; with `above` or `below` yes or no."""
 
     def __init__(self, name, given, sampling):
-        given.only("quantity", "above", "below", "halfWidth")
+        given.only(*RESULT_WORDS)
         self.name = name
         try:
             self.quantity = Quantity(dictionary.shown(given.get("quantity")))
@@ -76,8 +79,7 @@ class Description:
 
     def __init__(self, case):
         top = dictionary.read(case, FILE)
-        top.only("parameters", "quantities", "sampling", "samples", "seeds", "seedEntry",
-                 "confidence", "prepare")
+        top.only(*WORDS)
         self.top = top
         self.sampling = top.choice("sampling", SAMPLINGS, "grid")
         self.drawn = self.sampling in DRAWN
