@@ -4,43 +4,29 @@
 the bonds formed in each run; beside both what the number of receptors says.
 
 While cells pass that bonds do not hold, M receptors find a ligand (counted, mean of
-the runs `passing`). A drug leaves each of them free with probability 1 - d, so that
+the runs in `passing`). A drug leaves each of them free with probability 1 - d, so that
 about a Poisson number of mean M (1 - d) could bind, and the first bond, which is
 ideal, never lets go: P = 1 - exp(-M (1 - d)). Nothing is fitted. Aggregates are
 fewer: a cell that one late bond holds still swings when the run ends."""
 
-import glob
+import csv
 import math
-import re
 
 import numpy as np
 
 from fsbi import adhesion, plots
-from fsbi.history import History
-
-INTERVAL, SAMPLES = 30, 75      # us; of the mean
-STOPPED = 0.1                   # of the speed at the start
 
 
-def formed(history):
-    return history["effects/bonds/LFA1-ICAM1"]["formed"].sum()
-
-
-def outcome(folder):
-    """Is there an aggregate at the end, and how many bonds formed?"""
-    history = History(f"{folder}/postProcessing/history.h5")
-    time, speed = adhesion.relative_speed(history, "tumourCell", "leukocyte", INTERVAL)
-    mean = adhesion.moving_mean(speed, SAMPLES)
-    start = adhesion.aggregate_time(time, mean, STOPPED * speed[0])
-    return not math.isnan(start), formed(history)
+def rows(study):
+    with open(f"runs/{study}/ensemble/table.csv", newline="") as file:
+        return [row for row in csv.DictReader(file) if not row["failed"]]
 
 
 found = {}
-for folder in sorted(glob.glob("runs/dose*_seed*")):
-    dose, seed = re.fullmatch(r"runs/dose(\S+)_seed(\d+)", folder).groups()
-    found.setdefault(float(dose), []).append(outcome(folder))
-passing = [formed(History(f"{folder}/postProcessing/history.h5"))
-           for folder in sorted(glob.glob("runs/passing_seed*"))]
+for row in rows("doses"):
+    found.setdefault(float(row["blocked"]), []).append(
+        (row["aggregate"] == "1", float(row["formed"])))
+passing = [float(row["formed"]) for row in rows("passing")]
 reached = np.mean(passing)
 print(f"    {reached:.1f} receptors find a ligand while the cells pass unheld "
       f"({len(passing)} runs, {min(passing):.0f} to {max(passing):.0f})")

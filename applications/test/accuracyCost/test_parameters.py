@@ -6,7 +6,9 @@ import shutil
 
 import pytest
 
-from fsbi.accuracy_cost import Refused, parameters
+from fsbi.accuracy_cost import parameters
+from fsbi.studies import Refused
+from fsbi.studies.entries import Entries
 
 STEP = "system/controlDict:deltaT"
 OPTIMISE = "system/remeshDict:optimise"
@@ -16,7 +18,7 @@ OPTIMISE = "system/remeshDict:optimise"
 def scaled(tmp_path):
     folder = tmp_path / "scaled"
     shutil.copytree("case", folder)
-    entries = parameters.Entries(str(folder))
+    entries = Entries(str(folder))
     entries.set("system/remeshDict", "farSize", "10")
     blocks = folder / "system/blockMeshDict"
     text = blocks.read_text()
@@ -43,7 +45,7 @@ def test_size_that_is_not_given_is_the_defaults_double(scaled):
 
 
 def made(*words, **options):
-    return parameters.make([list(words)], parameters.Entries("case", **options))[0]
+    return parameters.make([list(words)], Entries("case", **options))[0]
 
 
 def test_case_as_it_is_is_one_of_a_parameters_values():
@@ -56,7 +58,7 @@ def test_or_is_put_among_them():
 
 
 def test_numbers_that_rise_are_counts():
-    given = parameters.Entries("case", [("system/remeshDict", "optimise", "1")])
+    given = Entries("case", [("system/remeshDict", "optimise", "1")])
     sizes = parameters.make([["n", OPTIMISE, "1", "2", "4"]], given)[0].sizes
     assert sizes[-1] / sizes[0] < 0.5
 

@@ -2,12 +2,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What fsbiAccuracyCost predicts and chooses, without a run."""
 
+import os
+
+import h5py
 import numpy as np
 import pytest
 
-from fsbi.accuracy_cost import parameters, quantities
+from fsbi.accuracy_cost import parameters
 from fsbi.accuracy_cost.predict import Predictor
 from fsbi.accuracy_cost.study import front
+from fsbi.studies import Refused, quantities
 
 METHODS = parameters.Parameter("method", ["coupled", "SIMPLEC"], None, 0)
 BASE = dict(mesh="1", timeStep="1", tolerance="1", method="coupled")
@@ -61,8 +65,38 @@ def test_best_of_many_are_those_that_none_beats_in_both():
 
 
 @pytest.mark.parametrize("how, window, wanted", [
-    ("last", (), 2), ("max", (), 2), ("mean", (), 5 / 3), ("at=0.5", ([0.5],), 1),
+    ("last", (), 2), ("max", (), 2), ("sum", (), 4), ("mean", (), 5 / 3), ("at=0.5", ([0.5],), 1),
     ("mean=1,3", ([1, 3],), 2)])
 def test_series_is_reduced(how, window, wanted):
     t, v = np.array([0.0, 1, 3]), np.array([0.0, 2, 2])
     assert quantities.reduce(t, v, how, *window) == pytest.approx(wanted)
+
+
+@pytest.mark.parametrize("how, wanted", [("sum", 0), ("first", np.nan), ("mean", np.nan)])
+def test_table_without_rows_has_a_sum_of_none_and_nothing_else(how, wanted):
+    none = np.zeros(0)
+    assert quantities.reduce(none, none, how) == pytest.approx(wanted, nan_ok=True)
+
+
+@pytest.fixture
+def two_bodies(scratch):
+    """The velocities of a-b and of c."""
+    os.makedirs("postProcessing")
+    with h5py.File("postProcessing/history.h5", "w") as file:
+        for name, rows in (("a-b", [[0, 1, 2, 3], [1, 4, 5, 6]]),
+                           ("c", [[0, 1, 0, 0], [1, 1, 1, 2]])):
+            table = file.create_dataset(f"bodies/{name}/velocity", data=np.array(rows, float))
+            table.attrs["columns"] = ["time", "x", "y", "z"]
+            table.attrs["units"] = ["L/T"]
+
+
+@pytest.mark.parametrize("path, wanted", [
+    ("bodies.a-b-c.U.x:max", 3), ("bodies.c-a-b.U.y", -4), ("bodies.a-b-c.U.mag:last", 41**0.5),
+    ("bodies.a-b-c.velocity.mag:first", 13**0.5), ("bodies.a-b.U.x:sum", 5)])
+def test_difference_of_two_bodies(two_bodies, path, wanted):
+    assert quantities.Quantity(path).value(".") == pytest.approx(wanted)
+
+
+def test_body_that_is_none_has_no_difference(two_bodies):
+    with pytest.raises(Refused):
+        quantities.Quantity("bodies.a-b-d.U.x").value(".")

@@ -77,4 +77,6 @@ def wilson(happened, trials, z=1.96):
     scale = 1 / (1 + z * z / trials)
     centre = scale * (p + z * z / (2 * trials))
     half = scale * z * math.sqrt(p * (1 - p) / trials + (z / (2 * trials)) ** 2)
-    return max(0.0, centre - half), min(1.0, centre + half)
+    # without the last digit's error where it is exact
+    return (max(0.0, centre - half) if happened else 0.0,
+            min(1.0, centre + half) if happened < trials else 1.0)

@@ -102,6 +102,14 @@ def _finish(figure, axes, xlabel, ylabel, title, note=""):
         axes.legend()
 
 
+def plain_logarithm(axes):
+    """A logarithmic x axis with plain numbers at 1, 2, 5."""
+    axes.set_xscale("log")
+    axes.xaxis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1, 2, 5)))
+    axes.xaxis.set_major_formatter(lambda x, _: f"{x:g}")
+    axes.xaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
+
+
 class _PlainNumbers(matplotlib.ticker.LogFormatter):
     """0.04 on a logarithmic axis, not 4e-02."""
 

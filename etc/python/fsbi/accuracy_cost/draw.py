@@ -44,10 +44,7 @@ def _scale(axes, costs):
         axes.set_xlim(left=0)
         axes.ticklabel_format(axis="x", style="plain")
         return
-    axes.set_xscale("log")
-    axes.xaxis.set_major_locator(plots.matplotlib.ticker.LogLocator(subs=(1, 2, 5)))
-    axes.xaxis.set_major_formatter(lambda x, _: f"{x:g}")
-    axes.xaxis.set_minor_formatter(plots.matplotlib.ticker.NullFormatter())
+    plots.plain_logarithm(axes)
 
 
 def _xy(variants, cost):

@@ -16,74 +16,16 @@ tolerance   of the coupled solution, of turns between fluid and bodies, of the
 import glob
 import os
 import re
-import subprocess
 
 import numpy as np
 
-from . import Refused
+from fsbi.studies import Refused
 
 BUILT_IN = {
     "mesh": (2, 1.4, 1, 0.75),
     "timeStep": (4, 2, 1, 0.5),
     "tolerance": (1000, 30, 1, 0.03),
 }
-HEADER = "FoamFile { version 2.0; format ascii; class dictionary; object %s; }\n"
-
-
-class Entries:
-    """The dictionaries of one case, by foamDictionary; of those in fixed,
-    (file, entry, value), as they will be."""
-
-    def __init__(self, case, fixed=()):
-        self.case = case
-        self.fixed = {(f, e): v for f, e, v in fixed}
-
-    def path(self, file):
-        return os.path.join(self.case, file)
-
-    def _run(self, file, *arguments):
-        return subprocess.run(
-            ["foamDictionary", "-disableFunctionEntries", *arguments, self.path(file)],
-            capture_output=True, text=True)
-
-    def get(self, file, entry):
-        """Its text; None if there is none."""
-        if (file, entry) in self.fixed:
-            return self.fixed[file, entry]
-        if not os.path.isfile(self.path(file)):
-            return None
-        done = self._run(file, "-entry", entry, "-value")
-        return None if done.returncode else done.stdout.strip()
-
-    def number(self, file, entry):
-        try:
-            return float(self.get(file, entry).rstrip(";"))
-        except (AttributeError, ValueError):
-            return None
-
-    def keywords(self, file, entry):
-        done = self._run(file, "-entry", entry, "-keywords") if entry else \
-            self._run(file, "-keywords")
-        return done.stdout.split() if not done.returncode else []
-
-    def set(self, file, entry, value):
-        if not os.path.isdir(os.path.dirname(self.path(file))):
-            raise Refused(f"there is no folder for {file} in {self.case}")
-        if not os.path.isfile(self.path(file)):
-            with open(self.path(file), "w") as new:
-                new.write(HEADER % os.path.basename(file))
-        done = self._run(file, "-entry", entry, "-set", str(value))
-        if done.returncode:
-            why = [t for t in done.stderr.splitlines() if t.strip()][:4]
-            raise Refused(f"cannot set {file}:{entry} to '{value}': {' '.join(why)}")
-
-    def scale(self, file, entry, factor, default=None):
-        """Multiply a number; one that is not there counts as its default."""
-        value = self.number(file, entry)
-        value = default if value is None else value
-        if value is not None:
-            self.set(file, entry, f"{value * factor:.10g}")
-        return value is not None
 
 
 class Parameter:

@@ -6,7 +6,7 @@ import csv
 
 import numpy as np
 
-from .study import duration
+from fsbi.studies.spread import duration
 
 
 def table(study, path):

@@ -9,16 +9,16 @@ own errors, without letting them cancel.
 """
 
 import collections
-import concurrent.futures
 import itertools
 import sys
 
 import numpy as np
 
-from . import Refused
 from .. import convergence
+from ..studies import Refused
+from ..studies.runs import Failed
+from ..studies.spread import duration, spread
 from .predict import UNSURE, Predictor
-from .runs import Failed
 
 Advice = collections.namedtuple("Advice", "settings error seconds megabytes width")
 
@@ -318,25 +318,11 @@ class Progress:
         self.total, self.ran = len(waiting), 0
 
     def run(self):
-        pool = concurrent.futures.ThreadPoolExecutor(self.study.jobs)
-        running = {}
-        try:
-            while self.waiting or running:
-                while self.waiting and len(running) < self.study.jobs:
-                    variant = self.waiting.pop(0)
-                    prediction = self._announce(variant)
-                    job = pool.submit(self.study.measure, variant, self._tell, prediction)
-                    running[job] = variant
-                done, _ = concurrent.futures.wait(
-                    running, return_when=concurrent.futures.FIRST_COMPLETED, timeout=0.5)
-                for job in done:
-                    self._finished(running.pop(job), job)
-        except BaseException:
-            self.waiting.clear()
-            self.study.bench.stop()
-            raise
-        finally:
-            pool.shutdown(wait=True)
+        spread(self.waiting, self.study.jobs, self._begin, self._finished, self.study.bench.stop)
+
+    def _begin(self, variant):
+        prediction = self._announce(variant)
+        return lambda: self.study.measure(variant, self._tell, prediction)
 
     def _announce(self, variant):
         try:
@@ -374,10 +360,3 @@ class Progress:
                            in zip(self.study.quantities, variant.values))
         print(f"{who}; took {duration(record['seconds'])}, {record['megabytes']:.0f} MB: "
               f"{values}", file=self.out, flush=True)
-
-
-def duration(seconds):
-    if seconds < 100:
-        return f"{seconds:.2g} s" if seconds < 10 else f"{seconds:.0f} s"
-    minutes = seconds / 60
-    return f"{minutes:.0f} min" if minutes < 100 else f"{minutes / 60:.1f} h"

@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs of variants of a case, in copies, and what is kept of them.
 
-CASE/accuracyCost/runs/HASH holds run.json (settings, seconds, memory ...), the
-log, postProcessing and the extremes of the last fields; the hash is that of the
+CASE/STUDY/runs/HASH holds run.json (settings, seconds, memory ...), the log,
+postProcessing and the extremes of the last fields; the hash is that of the
 case's files and the settings, so that a study that was stopped goes on, and one
-with another quantity needs no run again. What failed or was stopped is not kept.
+with another quantity needs no run again. What was stopped is not kept; what a
+program failed at by itself would fail again, and a bench that keeps failures has
+failed.json (and the log) of it.
 """
 
 import glob
@@ -22,20 +24,31 @@ import time
 from fsbi.history import History
 
 from . import Refused
-from .parameters import Entries
+from .entries import Entries
 from .quantities import summarise_fields
 
-OWN = "accuracyCost"
 MADE = re.compile(r"log\..*|postProcessing|processors?\d*.*|VTK|pictureVTK|runs|dynamicCode"
-                  rf"|{OWN}|.*\.(png|md|h5.*|py|csv)|Allrun|Allclean|.*\.foam|__pycache__")
+                  r"|accuracyCost|ensemble|.*\.(png|md|h5.*|py|csv)|Allrun|Allclean|.*\.foam"
+                  r"|__pycache__")
+# signals by which a person or a batch system ends a program
+OUTSIDE = (signal.SIGINT, signal.SIGTERM, signal.SIGKILL, signal.SIGHUP, signal.SIGXCPU)
 
 
 class Failed(Exception):
-    """A variant did not end well; the text says why."""
+    """A variant did not end well; the text says why. again: it would not either if
+    it were run again, since nobody ended it."""
+
+    def __init__(self, text, again=False):
+        super().__init__(text)
+        self.again = again
 
 
 class Bench:
-    def __init__(self, case, application=None, prepare="blockMesh", fixed=(), longest=None):
+    """study: name of the folder of what is kept; own: files of the case that belong to
+    the study, and do not go with a copy."""
+
+    def __init__(self, case, study, application=None, prepare="blockMesh", fixed=(),
+                 longest=None, own=(), keepFailures=False):
         self.case = os.path.normpath(case)
         for file in ("system/controlDict", "constant"):
             if not os.path.exists(os.path.join(case, file)):
@@ -50,7 +63,9 @@ class Bench:
         if prepare == "blockMesh" and not glob.glob(self.entries.path("system/blockMeshDict")):
             self.prepare = "true"
         self.longest = longest
-        self.kept = os.path.join(self.case, OWN, "runs")
+        self.own, self.keepFailures = own, keepFailures
+        self.folder = os.path.join(self.case, study)
+        self.kept = os.path.join(self.folder, "runs")
         self.running = set()            # processes
         self.stopped = False
         self.digest = self._digest()
@@ -59,6 +74,9 @@ class Bench:
 
     def files(self):
         """What a copy needs: not the results of runs, no times but the first."""
+        return (file for file in self._all() if file not in self.own)
+
+    def _all(self):
         start = "0.orig" if os.path.isdir(self.entries.path("0.orig")) else "0"
         meshed = os.path.isfile(self.entries.path("system/blockMeshDict"))
         for name in sorted(os.listdir(self.case)):
@@ -119,19 +137,33 @@ class Bench:
 
     def load(self, settings, parameters):
         """The record of a finished run, or None."""
+        return self._record(settings, parameters, "run.json")
+
+    def failure(self, settings, parameters):
+        """Why a run failed, if that is kept."""
+        record = self._record(settings, parameters, "failed.json")
+        return record and record["failed"]
+
+    def _record(self, settings, parameters, name):
         folder = os.path.join(self.kept, self.hash(settings, parameters))
         try:
-            with open(os.path.join(folder, "run.json")) as file:
+            with open(os.path.join(folder, name)) as file:
                 return dict(json.load(file), folder=folder)
         except (OSError, ValueError):
             return None
 
     def run(self, settings, parameters, tell=None, **notes):
         """Run and keep; its record. Failed says why it did not end."""
-        with tempfile.TemporaryDirectory(prefix="fsbiAccuracyCost.") as top:
+        with tempfile.TemporaryDirectory(prefix="fsbiStudy.") as top:
             folder = os.path.join(top, "case")
             self.copy(folder, settings, parameters)
-            record = dict(settings=settings, **notes, **self._measure(folder, tell))
+            try:
+                record = dict(settings=settings, **notes, **self._measure(folder, tell))
+            except Failed as failure:
+                if self.keepFailures and failure.again:
+                    self._keep(folder, settings, parameters, dict(failed=str(failure)),
+                               "failed.json")
+                raise
             return self._keep(folder, settings, parameters, record)
 
     def calibrate(self, settings, parameters, part=0.15):
@@ -141,7 +173,7 @@ class Bench:
         start, end, steps = self.span()
         if end is None or steps * part < 2:
             return None
-        with tempfile.TemporaryDirectory(prefix="fsbiAccuracyCost.") as top:
+        with tempfile.TemporaryDirectory(prefix="fsbiStudy.") as top:
             folder = os.path.join(top, "case")
             self.copy(folder, settings, parameters, start + part * (end - start))
             found = self._measure(folder, None)
@@ -188,9 +220,13 @@ class Bench:
             raise
         finally:
             self.running.discard(process)
+        with open(os.path.join(folder, log), errors="replace") as file:
+            text = file.read()
         if status:
-            with open(os.path.join(folder, log), errors="replace") as file:
-                raise Failed(why or _reason(command[0], file.read(), status))
+            raise Failed(why or _reason(command[0], text, status),
+                         again=not why and status & 127 not in OUTSIDE)
+        if ended := re.search(r"^Interrupted at .*", text, re.M):
+            raise Failed(f"{command[0]}: {ended[0]}")       # which it calls success
         return usage
 
     def _wait(self, process, begin, log, tell):
@@ -226,7 +262,7 @@ class Bench:
             except ProcessLookupError:
                 pass
 
-    def _keep(self, folder, settings, parameters, record):
+    def _keep(self, folder, settings, parameters, record, name="run.json"):
         to = os.path.join(self.kept, self.hash(settings, parameters))
         shutil.rmtree(to, ignore_errors=True)
         os.makedirs(to)
@@ -239,7 +275,7 @@ class Bench:
         with open(os.path.join(to, "run.part"), "w") as file:
             json.dump(record, file, indent=1)
         # last, and at once: a kept run is a whole one
-        os.replace(os.path.join(to, "run.part"), os.path.join(to, "run.json"))
+        os.replace(os.path.join(to, "run.part"), os.path.join(to, name))
         return dict(record, folder=to)
 
 

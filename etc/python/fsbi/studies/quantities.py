@@ -9,12 +9,13 @@ PATH            of the history, with . or / between its parts and the column las
                 bonds.PAIR.COLUMN, cost.iterations; mag for the length of a vector.
                 omega, U, x, drag, torque: short for angularVelocity, velocity,
                 position, force/fluid, torque/fluid. Of elastic bodies in a flow
-                also deformation (Taylor's) and angle (degrees, in the x-y plane)
+                also deformation (Taylor's) and angle (degrees, in the x-y plane).
+                bodies.A-B.U.mag: of the difference of two bodies
 errors.COLUMN   of the function object exactError
 resistance.I.J  of fsbiResistance's matrix, I and J from 1 to 6
 regions.REGION.FIELD.max|min|mean   of the magnitude, at the last time
-REDUCTION       last (default), first, max, min, mean (over time), mean=T0,T1,
-                at=T (linear between steps), rms=V (root mean square over time of
+REDUCTION       last (default), first, max, min, sum (of all rows), mean (over
+                time), mean=T0,T1, at=T (linear between steps), rms=V (root mean square over time of
                 the distance from V; its reference is 0, its --scale V)
 """
 
@@ -33,7 +34,7 @@ from . import Refused
 SHORT = {"omega": ["angularVelocity"], "U": ["velocity"], "x": ["position"],
          "drag": ["force", "fluid"], "torque": ["torque", "fluid"],
          "force": ["force", "fluid"]}
-REDUCTION = re.compile(r"last|first|max|min|mean(=[^,]+,[^,]+)?|(at|rms)=.+")
+REDUCTION = re.compile(r"last|first|max|min|sum|mean(=[^,]+,[^,]+)?|(at|rms)=.+")
 
 
 class Quantity:
@@ -56,7 +57,7 @@ class Quantity:
                           "such as bodies.tumourCell.omega.y:mean")
         if not REDUCTION.fullmatch(self.reduction):
             raise Refused(f"quantity '{self.text}': reduction '{self.reduction}' is not "
-                          "last, first, max, min, mean, mean=T0,T1, at=T or rms=V")
+                          "last, first, max, min, sum, mean, mean=T0,T1, at=T or rms=V")
         try:
             self.numbers = [float(t) for t in self.reduction.partition("=")[2].split(",") if t]
         except ValueError:
@@ -79,7 +80,8 @@ class Quantity:
             history = History(os.path.join(folder, "postProcessing/history.h5"))
         except (FileNotFoundError, OSError) as error:
             raise Refused(f"quantity '{self.text}': {error}") from None
-        found = _derived(history, self.parts) or _column(history, self.parts)
+        found = (_derived(history, self.parts) or _column(history, self.parts)
+                 or _difference(history, self.parts))
         if found is None:
             raise Refused(f"quantity '{self.text}' is not in the history; there are "
                           + ", ".join(_offered(history)))
@@ -103,16 +105,37 @@ def _spellings(parts):
 def _column(history, parts):
     for end, column in ((len(parts) - 1, parts[-1]), (len(parts), None)):
         for path in _spellings(parts[:end]):
-            if path not in history:
-                continue
-            table = history[path]
-            if column == "mag" or column is None and len(table.columns) > 2:
-                return table.array[:, 0], np.linalg.norm(table.array[:, 1:], axis=1)
-            if column is None:
-                return table.array[:, 0], table.array[:, 1]
-            if column in table.columns:
-                return table.array[:, 0], table[column]
+            if path in history:
+                table = history[path]
+                values = _of(table.columns[1:], table.array[:, 1:], column)
+                if values is not None:
+                    return table.array[:, 0], values
     return None
+
+
+def _of(columns, values, column):
+    """One of the columns of a vector, or its length; None if it has no such."""
+    if column == "mag" or column is None and len(columns) > 1:
+        return np.linalg.norm(values, axis=1)
+    if column is None:
+        return values[:, 0]
+    return values[:, columns.index(column)] if column in columns else None
+
+
+def _difference(history, parts):
+    """Of a vector of two bodies, A-B; a body's name may have dashes itself."""
+    words = parts[1].split("-")
+    for i in range(1, len(words)):
+        a, b = (_table(history, [parts[0], "-".join(name), *parts[2:-1]])
+                for name in (words[:i], words[i:]))
+        if a and b:
+            values = _of(a.columns[1:], a.array[:, 1:] - b.array[:, 1:], parts[-1])
+            return None if values is None else (a.array[:, 0], values)
+    return None
+
+
+def _table(history, parts):
+    return next((history[p] for p in _spellings(parts) if p in history), None)
 
 
 def _derived(history, parts):
@@ -128,9 +151,11 @@ def _derived(history, parts):
 
 def reduce(time, values, reduction, numbers=()):
     kind = reduction.partition("=")[0]
+    if not len(time):                   # a table of events, of which there were none
+        return 0.0 if kind == "sum" else np.nan
     if kind in ("last", "first"):
         return float(values[-1 if kind == "last" else 0])
-    if kind in ("max", "min"):
+    if kind in ("max", "min", "sum"):
         return float(getattr(np, kind)(values))
     if kind == "at":
         if not time[0] <= numbers[0] <= time[-1] * (1 + 1e-9):
