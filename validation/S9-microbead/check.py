@@ -4,7 +4,6 @@
 write results.csv and draw."""
 
 import glob
-import re
 import sys
 
 import numpy as np
@@ -31,16 +30,10 @@ def imbalance(run):
     return np.max(np.linalg.norm(tether + force, axis=1) / np.linalg.norm(force, axis=1))
 
 
-def work(run):
-    """Seconds of the processor, which other programs disturb less."""
-    with open(f"{run.folder}/log.fsbiFoam") as log:
-        return float(re.findall(r"^ExecutionTime = ([0-9.]+) s", log.read(), re.M)[-1])
-
-
 def fourth_order(runs, step=2000):
     """By order 4, steps of that length; the shape beside that of order 2."""
     run, second = Case(f"runs/order4.dt{step}"), dict(runs)[step]
-    cost = dict(seconds=run.seconds, cells=run.cells)
+    cost = dict(seconds=run.processor_seconds, cells=run.cells)
     results.add(f"tether_plus_force_order4_dt{step}_abs", imbalance(run), 0, 1e-6, **cost)
     effort = run.history["cost"]
     # bound: asked for: a hundred at every stiffness and step
@@ -50,8 +43,8 @@ def fourth_order(runs, step=2000):
         axis, other = (r.history[BEAD + "semiAxes"][name][-1] for r in (run, second))
         # bound: what order 2 may be wrong by on this mesh, of second order, (edge/radius)^2
         results.add(f"{name}_semiaxis_order4_against_order2", axis, other, (0.9 / 4)**2, **cost)
-    print(f"    order 4, steps of {step} µs: {work(run):.0f} s of the processor, order 2 "
-          f"{work(second):.0f} s")
+    print(f"    order 4, steps of {step} µs: {run.processor_seconds:.0f} s of the processor, "
+          f"order 2 {second.processor_seconds:.0f} s")
 
 
 def draw(runs):
@@ -84,7 +77,7 @@ def main():
         # bound: tether = force of the fluid to 1e-6 (issue); whether that force is right
         # is for walls.py to say
         results.add(f"tether_plus_force_dt{step}_abs", imbalance(run), 0, 1e-6, **cost)
-        faster = work(finest) / work(run)
+        faster = finest.processor_seconds / run.processor_seconds
         if not quick and step in FASTER:
             results.at_least(f"times_as_fast_dt{step}", faster, FASTER[step], **cost)
         effort = run.history["cost"]

@@ -26,11 +26,17 @@ class Case:
         self.iterations = cost["iterations"]
         self.seconds = self._seconds("total")
         self.solve_seconds = self._seconds("solve")
+        # other programs disturb these less
+        self.processor_seconds = self._last(r"^ExecutionTime = ([0-9.]+) s")
 
     def _seconds(self, part):
         """From the closing table of the log; nan if the run did not end."""
+        return self._last(rf"^ *{part} +([0-9.]+) s ")
+
+    def _last(self, pattern):
+        """Number in the last line of the log that matches, or nan."""
         with open(os.path.join(self.folder, "log.fsbiFoam"), errors="replace") as log:
-            found = re.findall(rf"^ *{part} +([0-9.]+) s ", log.read(), re.M)
+            found = re.findall(pattern, log.read(), re.M)
         return float(found[-1]) if found else float("nan")
 
     def time(self):
