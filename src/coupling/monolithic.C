@@ -90,5 +90,7 @@ Foam::fsbi::outcome Foam::fsbi::monolithic::solve(List<bodyRows>& rows)
     (
         "fluid and bodies do not agree after " + name(maxCorrections)
       + " Newton iterations: the residual is " + name(report_.residual)
+      + ", body '" + solids_[report_.last.body].name() + "' still moves by "
+      + name(report_.last.distance)
     );
 }

@@ -19,6 +19,11 @@ static const scalar worthwhile = 10;
 //  pull it back with many times the loads
 static const scalar farAway = 100;
 
+//- Residual over that at rest below which the flow's gradients are worth to be
+//  known by the derivative: those between a fluid at rest and a surface that
+//  moves are not
+static const scalar flows = 0.5;
+
 //- The unknowns at rest, but for bodies with springs, which go to where these were
 //  evaluated
 static scalarList whereEvaluated
@@ -51,7 +56,8 @@ Foam::fsbi::coupledSolver::coupledSolver
     const momentumEquation& momentum, const dictionary& dict
 )
 :
-    closed_(momentum.viscous().closed())
+    closed_(momentum.viscous().closed()),
+    lagged_(dict.getOrDefault<word>("geometry", "implicit") == "lagged")
 {
     const checkedDictionary entries(dict);
     knowOthers(entries);
@@ -132,12 +138,21 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::improve(scalarList& x)
     {
         return report;
     }
+    if (!system_->linear() && !lagged_ && report.residual < flows)
+    {
+        system_->followShapes();
+    }
+    const scalarList before(system_->linear() ? scalarList() : x);
     const bool solved =
         newton_->correct(rows_, norm, tolerance_*scale_, x, report);
     if (system_->linear())
     {
         report.residual = evaluate(x)/scale_;
         report.converged = solved;
+    }
+    else
+    {
+        report.last = system_->largestChange(before, x);
     }
     return report;
 }

@@ -46,6 +46,7 @@ bool Foam::fsbi::coupledSystem::set(const flowProblem& problem)
             stokes.stencil().mesh().nCells(), elastic_, problem.bodies.size()
         );
     effects_.clear();
+    shapes_.clear();
     if (!problem.acting.empty())
     {
         effects_.reset
@@ -93,6 +94,28 @@ bool Foam::fsbi::coupledSystem::setSprings()
         return true;
     }
     return false;
+}
+
+
+Foam::fsbi::bodyChange Foam::fsbi::coupledSystem::largestChange
+(
+    const scalarList& before, const scalarList& x
+) const
+{
+    scalarList changes(elastic_.size(), Zero);
+    forAll(elastic_, e)
+    {
+        const vector* now = layout_.displacement(e, x.cdata());
+        const vector* then = layout_.displacement(e, before.cdata());
+        forAll(elastic_[e]->volumes, celli)
+        {
+            changes[e] = max(changes[e], mag(now[celli] - then[celli]));
+        }
+    }
+    Pstream::listCombineGather(changes, maxEqOp<scalar>());
+    Pstream::listCombineScatter(changes);
+    const label e = findMax(changes);
+    return {e, e < 0 ? 0 : changes[e]};
 }
 
 
@@ -233,6 +256,16 @@ void Foam::fsbi::coupledSystem::residual(const scalar* x, scalar* r) const
 }
 
 
+void Foam::fsbi::coupledSystem::followShapes()
+{
+    shapes_.clear();
+    for (const elasticRows* body : elastic_)
+    {
+        shapes_.emplace_back(momentum_.viscous(), *body);
+    }
+}
+
+
 bool Foam::fsbi::coupledSystem::admissible(const scalarList& x)
 {
     bool valid = true;
@@ -260,6 +293,8 @@ void Foam::fsbi::coupledSystem::applyJacobian
         momentum_.viscous(), *bodies_, change.velocities, values_
     );
     List<vectorField> points(elastic_.size());
+    List<surfaceDisplacement> moved(shapes_.size());
+    auto shape = shapes_.cbegin();
     forAll(elastic_, e)
     {
         const elasticRows& body = *elastic_[e];
@@ -267,8 +302,18 @@ void Foam::fsbi::coupledSystem::applyJacobian
         const surfaceDisplacement dd(body.surfaceIncrement());
         body.setVelocityIncrement(momentum_.viscous(), dd, values_);
         points[e] = dd.points;
+        if (shape != shapes_.cend())
+        {
+            (shape++)->addVelocity(dd, values_);
+            moved[e] = dd;
+        }
     }
     momentum_.applyJacobian(dx, values_, dr, traction_);
+    label e = 0;
+    for (const shapeDerivative& s : shapes_)
+    {
+        s.addTraction(moved[e++], traction_);
+    }
 
     loads::onBodies load;
     if (effects_)
