@@ -89,12 +89,33 @@ def lid(name, left, right):
     return np.stack([np.broadcast_to(centre, ring[1:].shape), ring[:-1], ring[1:]], 1)
 
 
-names = list(BRANCHES)
-halves = {(a, b): half_pipe(a, b) for a, b in zip(names, names[1:] + names[:1])}
-with open(sys.argv[1], "w") as file:
-    walls = np.concatenate([between(rings) for rings in halves.values()])
-    write_solid(file, "vessel", walls)
-    for i, name in enumerate(names):
-        to_next = halves[name, names[(i + 1) % 3]][0]
-        from_last = halves[names[i - 1], name][-1]
-        write_solid(file, name, lid(name, to_next, from_last)[:, ::-1])
+def halves():
+    names = list(BRANCHES)
+    return {(a, b): half_pipe(a, b) for a, b in zip(names, names[1:] + names[:1])}
+
+
+def outline():
+    """The walls in the plane of the axes, line by line."""
+    return [rings[:, AROUND // 2, :2] for rings in halves().values()]
+
+
+def resistance(name):
+    """Of a branch to the flow, over 8 mu/pi, as if it were straight."""
+    s = np.linspace(0, BRANCHES[name][1], 1000)
+    return np.trapz((RADIUS * taper(name, s))**-4.0, s)
+
+
+def main():
+    pipes = halves()
+    names = list(BRANCHES)
+    with open(sys.argv[1], "w") as file:
+        walls = np.concatenate([between(rings) for rings in pipes.values()])
+        write_solid(file, "vessel", walls)
+        for i, name in enumerate(names):
+            to_next = pipes[name, names[(i + 1) % 3]][0]
+            from_last = pipes[names[i - 1], name][-1]
+            write_solid(file, name, lid(name, to_next, from_last))
+
+
+if __name__ == "__main__":
+    main()

@@ -169,11 +169,17 @@ void Foam::fsbi::domainSurface::add
     const label first = points.size(), firstPatch = patchNames_.size();
     for (const geometricSurfacePatch& patch : read.patches())
     {
-        const word name
+        word name
         (
             read.patches().size() == 1 && !only
           ? word(file.nameLessExt()) : patch.name()
         );
+        if (name == "wall")
+        {
+            Info<< "The patch of 'wall' is 'walls': OpenFOAM has a group of patches"
+                << " of that name" << endl;
+            name = "walls";
+        }
         if (patchNames_.found(name))
         {
             FatalErrorInFunction
