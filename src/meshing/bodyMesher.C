@@ -32,6 +32,21 @@ static void checkSurface(const word& name, const bodySurface& surface)
 }
 
 
+//- Of several shells one has the others as holes; why it is not so, or empty
+static string severalOutward(const bodySurface& surface)
+{
+    label outward = 0;
+    for (const bodySurface::shell& shell : surface.shells())
+    {
+        outward += shell.volume > 0;
+    }
+    return
+        outward == 1 ? ""
+      : "the surface has " + Foam::name(outward) + " parts that are turned outward,"
+        " of which one can be filled";
+}
+
+
 // From the edge length of the triangles to that inside. gmsh inserts points
 // until the circumradii are below the size it is asked for; edges are then
 // longer by what was measured in uniform meshes.
@@ -124,6 +139,12 @@ Foam::fsbi::meshLists Foam::fsbi::bodyMesher::fill
 ) const
 {
     checkSurface(patchName, surface);
+    meshLists mesh;
+    mesh.failure = severalOutward(surface);
+    if (!mesh.valid())
+    {
+        return mesh;
+    }
     const serialScope serial;
     const innerSize wanted
     (
@@ -134,7 +155,6 @@ Foam::fsbi::meshLists Foam::fsbi::bodyMesher::fill
     {
         return surface.winding(p) > 0.5;
     };
-    meshLists mesh;
     mesh.failure = tooManyCells
     (
         cellsIn(box, {}, std::cref(wanted), inside, controls_.maxCells),

@@ -9,29 +9,34 @@ import numpy as np
 
 AROUND = 256        # a regular polygon's section is 1e-4 smaller than the circle's
 
-file, radius, half = sys.argv[1], float(sys.argv[2]), float(sys.argv[3])
-angle = np.linspace(0, 2 * np.pi, AROUND + 1)[:-1]
-ring = np.column_stack([0 * angle, radius * np.cos(angle), radius * np.sin(angle)])
-after = np.roll(ring, -1, axis=0)
-left, right = np.array([-half, 0, 0]), np.array([half, 0, 0])
-
 
 def triangles(*corners):
     return np.stack(np.broadcast_arrays(*corners), axis=1)
 
 
-solids = {
-    "capillary": np.concatenate([triangles(ring + left, after + left, after + right),
-                                 triangles(ring + left, after + right, ring + right)]),
-    "inlet": triangles(left, after + left, ring + left),
-    "outlet": triangles(right, ring + right, after + right),
-}
-with open(file, "w") as stl:
-    for name, facets in solids.items():
-        stl.write(f"solid {name}\n")
-        for facet in facets:
-            stl.write("facet normal 0 0 0\nouter loop\n")
-            for corner in facet:
-                stl.write("vertex {:.9g} {:.9g} {:.9g}\n".format(*corner))
-            stl.write("endloop\nendfacet\n")
-        stl.write(f"endsolid {name}\n")
+def solids(radius, half):
+    angle = np.linspace(0, 2 * np.pi, AROUND + 1)[:-1]
+    ring = np.column_stack([0 * angle, radius * np.cos(angle), radius * np.sin(angle)])
+    after = np.roll(ring, -1, axis=0)
+    left, right = np.array([-half, 0, 0]), np.array([half, 0, 0])
+    walls = [triangles(ring + left, after + left, after + right),
+             triangles(ring + left, after + right, ring + right)]
+    return {"capillary": np.concatenate(walls),
+            "inlet": triangles(left, after + left, ring + left),
+            "outlet": triangles(right, ring + right, after + right)}
+
+
+def main():
+    with open(sys.argv[1], "w") as stl:
+        for name, facets in solids(float(sys.argv[2]), float(sys.argv[3])).items():
+            stl.write(f"solid {name}\n")
+            for facet in facets:
+                stl.write("facet normal 0 0 0\nouter loop\n")
+                for corner in facet:
+                    stl.write("vertex {:.9g} {:.9g} {:.9g}\n".format(*corner))
+                stl.write("endloop\nendfacet\n")
+            stl.write(f"endsolid {name}\n")
+
+
+if __name__ == "__main__":
+    main()
