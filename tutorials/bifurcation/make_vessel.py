@@ -12,6 +12,8 @@ import sys
 
 import numpy as np
 
+from fsbi import stl
+
 RADIUS = 6.0            # um, where the branches meet
 ROUNDED = 5.0           # um, that a corner takes of a wall halfway down
 BRANCHES = {            # direction of the axis, its length, radius at the end
@@ -61,16 +63,6 @@ def half_pipe(a, b):
     return np.array(lines).transpose(1, 0, 2)
 
 
-def write_solid(file, name, triangles):
-    file.write(f"solid {name}\n")
-    for triangle in triangles:
-        file.write(" facet normal 0 0 0\n  outer loop\n")
-        for x in triangle:
-            file.write("   vertex " + " ".join(f"{c + 0.0:.9g}" for c in x) + "\n")
-        file.write("  endloop\n endfacet\n")
-    file.write(f"endsolid {name}\n")
-
-
 def between(rings):
     """Two triangles for every quadrilateral between rings."""
     a, b = rings[:-1, :-1], rings[1:, :-1]
@@ -108,13 +100,12 @@ def resistance(name):
 def main():
     pipes = halves()
     names = list(BRANCHES)
-    with open(sys.argv[1], "w") as file:
-        walls = np.concatenate([between(rings) for rings in pipes.values()])
-        write_solid(file, "vessel", walls)
-        for i, name in enumerate(names):
-            to_next = pipes[name, names[(i + 1) % 3]][0]
-            from_last = pipes[names[i - 1], name][-1]
-            write_solid(file, name, lid(name, to_next, from_last))
+    solids = {"vessel": np.concatenate([between(rings) for rings in pipes.values()])}
+    for i, name in enumerate(names):
+        to_next = pipes[name, names[(i + 1) % 3]][0]
+        from_last = pipes[names[i - 1], name][-1]
+        solids[name] = lid(name, to_next, from_last)
+    stl.write(sys.argv[1], solids)
 
 
 if __name__ == "__main__":

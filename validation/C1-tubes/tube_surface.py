@@ -7,6 +7,8 @@ import sys
 
 import numpy as np
 
+from fsbi import stl
+
 AROUND = 256        # a regular polygon's section is 1e-4 smaller than the circle's
 
 
@@ -27,15 +29,7 @@ def solids(radius, half):
 
 
 def main():
-    with open(sys.argv[1], "w") as stl:
-        for name, facets in solids(float(sys.argv[2]), float(sys.argv[3])).items():
-            stl.write(f"solid {name}\n")
-            for facet in facets:
-                stl.write("facet normal 0 0 0\nouter loop\n")
-                for corner in facet:
-                    stl.write("vertex {:.9g} {:.9g} {:.9g}\n".format(*corner))
-                stl.write("endloop\nendfacet\n")
-            stl.write(f"endsolid {name}\n")
+    stl.write(sys.argv[1], solids(float(sys.argv[2]), float(sys.argv[3])))
 
 
 if __name__ == "__main__":

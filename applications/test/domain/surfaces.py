@@ -12,6 +12,8 @@ import sys
 
 import numpy as np
 
+from fsbi import stl
+
 FACES = {               # corners by bits x, y, z; turned outward
     "xmin": (0, 4, 6, 2), "xmax": (1, 3, 7, 5), "ymin": (0, 1, 5, 4),
     "ymax": (2, 6, 7, 3), "zmin": (0, 2, 3, 1), "zmax": (4, 5, 7, 6),
@@ -41,12 +43,4 @@ elif kind == "crossed":
                 if np.all(corner == [4, 3, 2]):
                     triangle[i] = np.array([-1, 1.5, 1])
 
-with open(path, "w") as file:
-    for name, triangles in solids.items():
-        file.write(f"solid {name}\n")
-        for triangle in triangles:
-            file.write("facet normal 0 0 0\nouter loop\n")
-            for corner in triangle:
-                file.write("vertex {:g} {:g} {:g}\n".format(*corner))
-            file.write("endloop\nendfacet\n")
-        file.write(f"endsolid {name}\n")
+stl.write(path, solids)
