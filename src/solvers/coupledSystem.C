@@ -261,7 +261,7 @@ void Foam::fsbi::coupledSystem::followShapes()
     shapes_.clear();
     for (const elasticRows* body : elastic_)
     {
-        shapes_.emplace_back(momentum_.viscous(), *body);
+        shapes_.append(new shapeDerivative(momentum_.viscous(), *body));
     }
 }
 
@@ -294,7 +294,6 @@ void Foam::fsbi::coupledSystem::applyJacobian
     );
     List<vectorField> points(elastic_.size());
     List<surfaceDisplacement> moved(shapes_.size());
-    auto shape = shapes_.cbegin();
     forAll(elastic_, e)
     {
         const elasticRows& body = *elastic_[e];
@@ -302,17 +301,16 @@ void Foam::fsbi::coupledSystem::applyJacobian
         const surfaceDisplacement dd(body.surfaceIncrement());
         body.setVelocityIncrement(momentum_.viscous(), dd, values_);
         points[e] = dd.points;
-        if (shape != shapes_.cend())
+        if (shapes_.size())
         {
-            (shape++)->addVelocity(dd, values_);
+            shapes_[e].addVelocity(dd, values_);
             moved[e] = dd;
         }
     }
     momentum_.applyJacobian(dx, values_, dr, traction_);
-    label e = 0;
-    for (const shapeDerivative& s : shapes_)
+    forAll(shapes_, e)
     {
-        s.addTraction(moved[e++], traction_);
+        shapes_[e].addTraction(moved[e], traction_);
     }
 
     loads::onBodies load;

@@ -4,12 +4,11 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "domainSurface.H"
+#include "readSurface.H"
 #include "surfaceRetriangulation.H"
 #include "edgeHashes.H"
 #include "mergePoints.H"
 #include "SortableList.H"
-#include "triSurface.H"
-#include "OSspecific.H"
 
 namespace Foam
 {
@@ -22,32 +21,14 @@ static const scalar samePoint = 1e-6;
 static triSurface readFile(const fileName& file)
 {
     triSurface surface;
-    string reason;
-    if (!isFile(file))
+    outcome read(readSurface(file, surface));
+    if (read && surface.empty())
     {
-        reason = "there is no such file";
+        read = outcome::failed("The surface file '" + file + "' has no triangles");
     }
-    const bool throwing = FatalError.throwExceptions();
-    const bool throwingIO = FatalIOError.throwExceptions();
-    try
+    if (!read)
     {
-        surface = reason.empty() ? triSurface(file) : triSurface();
-    }
-    catch (const error& e)
-    {
-        reason = e.message();
-    }
-    FatalError.throwExceptions(throwing);
-    FatalIOError.throwExceptions(throwingIO);
-    if (reason.empty() && surface.empty())
-    {
-        reason = "it has no triangles";
-    }
-    if (reason.size())
-    {
-        FatalErrorInFunction
-            << "The surface file '" << file << "' cannot be used: "
-            << reason.c_str() << exit(FatalError);
+        FatalErrorInFunction << read.reason.c_str() << exit(FatalError);
     }
     return surface;
 }
@@ -244,7 +225,7 @@ Foam::fsbi::domainSurface::domainSurface
     DynamicList<label> patches;
     for (const fileName& file : files)
     {
-        add(fileName(file).expand(), files.size() == 1, points, triangles, patches);
+        add(file, files.size() == 1, points, triangles, patches);
     }
     for (point& p : points)
     {

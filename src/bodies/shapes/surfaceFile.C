@@ -4,9 +4,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceFile.H"
+#include "readSurface.H"
 #include "addToRunTimeSelectionTable.H"
-#include "triSurface.H"
-#include "OSspecific.H"
 
 namespace Foam
 {
@@ -28,12 +27,6 @@ Foam::fsbi::surfaceFile::surfaceFile(const dictionary& dict)
     entries_.finish();
 
     file_.expand();
-    if (!isFile(file_))
-    {
-        FatalIOErrorInFunction(dict)
-            << "There is no surface file '" << file_ << "'"
-            << exit(FatalIOError);
-    }
     const triSurface read(readFile());
     List<triFace> triangles(read.size());
     forAll(triangles, i)
@@ -53,30 +46,20 @@ Foam::fsbi::surfaceFile::surfaceFile(const dictionary& dict)
 Foam::triSurface Foam::fsbi::surfaceFile::readFile() const
 {
     triSurface surface;
-    string reason;
-    const bool throwing = FatalError.throwExceptions();
-    const bool throwingIO = FatalIOError.throwExceptions();
-    try
+    outcome read(readSurface(file_, surface));
+    if (read && surface.size() < fewestTriangles)
     {
-        surface = triSurface(file_);
+        read = outcome::failed
+        (
+            "The surface file '" + file_ + "' cannot be used: it has "
+          + Foam::name(surface.size()) + " triangles, a body needs "
+          + Foam::name(label(fewestTriangles)) + " or more"
+        );
     }
-    catch (const error& e)
-    {
-        reason = e.message();
-    }
-    FatalError.throwExceptions(throwing);
-    FatalIOError.throwExceptions(throwingIO);
-    if (reason.empty() && surface.size() < fewestTriangles)
-    {
-        reason =
-            "it has " + Foam::name(surface.size()) + " triangles, a body needs "
-          + Foam::name(label(fewestTriangles)) + " or more";
-    }
-    if (reason.size())
+    if (!read)
     {
         FatalIOErrorInFunction(entries_.dict())
-            << "The surface file '" << file_ << "' cannot be used: "
-            << reason.c_str() << exit(FatalIOError);
+            << read.reason.c_str() << exit(FatalIOError);
     }
     return surface;
 }
