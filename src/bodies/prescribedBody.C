@@ -16,6 +16,7 @@ Foam::fsbi::prescribedBody::prescribedBody
 {
     entries_.found("type");
     entries_.found("libs");
+    entries_.found("enters");
     now_.centre = entries_.get<point>("position");
     for (auto* given : {&velocity_, &angularVelocity_})
     {
@@ -97,6 +98,16 @@ void Foam::fsbi::prescribedBody::advance(const scalar time, const scalar dt)
     (
         rotationBy(integral(angularVelocity_, time, dt))*old_.orientation
     );
+}
+
+
+void Foam::fsbi::prescribedBody::enter(const point& centre)
+{
+    const sixVector velocity(now_.velocity);
+    now_ = bodyState();
+    now_.centre = centre;
+    now_.velocity = velocity;
+    old_ = now_;
 }
 
 

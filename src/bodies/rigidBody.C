@@ -61,6 +61,7 @@ Foam::fsbi::rigidBody::rigidBody
     density_(0),
     mass_(0),
     inertia_(Zero),
+    firstOrientation_(quaternion::I),
     oldStep_(0),
     step_(0),
     accepted_(0),
@@ -71,6 +72,7 @@ Foam::fsbi::rigidBody::rigidBody
     const checkedDictionary entries(dict);
     entries.found("type");
     entries.found("libs");
+    entries.found("enters");
     integrator_ =
         entries.choice("integrator", integrators, integrators.first());
 
@@ -80,13 +82,17 @@ Foam::fsbi::rigidBody::rigidBody
     shapeText_ = textOf(shapeDict);
     const point position(entries.get<point>("position"));
     const Tuple2<vector, scalar> turned(orientationOf(entries));
-    const sixVector velocity
-    (
-        join
+    if (mag(turned.first()) > 0)
+    {
+        firstOrientation_ = quaternion
         (
-            entries.getOrDefault<vector>("velocity", Zero),
-            entries.getOrDefault<vector>("angularVelocity", Zero)
-        )
+            turned.first()/mag(turned.first()), turned.second()
+        );
+    }
+    firstVelocity_ = join
+    (
+        entries.getOrDefault<vector>("velocity", Zero),
+        entries.getOrDefault<vector>("angularVelocity", Zero)
     );
     for (auto* load : {&force_, &torque_})
     {
@@ -110,8 +116,7 @@ Foam::fsbi::rigidBody::rigidBody
 
     if (saved.empty())
     {
-        now_.velocity = velocity;
-        place(shape_->triangulate(), position, turned);
+        place(shape_->triangulate(), position);
     }
     else
     {
@@ -141,8 +146,7 @@ void Foam::fsbi::rigidBody::readDensity(const checkedDictionary& entries)
 void Foam::fsbi::rigidBody::place
 (
     const bodySurface& raw,
-    const point& position,
-    const Tuple2<vector, scalar>& turned
+    const point& position
 )
 {
     raw.check(name_);
@@ -150,16 +154,37 @@ void Foam::fsbi::rigidBody::place
     surface_ = raw.transformed(tensor::I, -shapeCentre_);
     setMass();
 
-    if (mag(turned.first()) > 0)
-    {
-        now_.orientation = quaternion
-        (
-            turned.first()/mag(turned.first()), turned.second()
-        );
-    }
-    now_.centre = position + (rotation() & shapeCentre_);
+    now_.orientation = firstOrientation_;
+    enter(position + (rotation() & shapeCentre_));
     start_ = now_.centre;
-    older_ = old_ = now_;
+}
+
+
+void Foam::fsbi::rigidBody::enter(const point& centre)
+{
+    state s;
+    s.centre = centre;
+    s.orientation = firstOrientation_;
+    s.velocity = firstVelocity_;
+    begin(s);
+}
+
+
+void Foam::fsbi::rigidBody::leave()
+{
+    state s;
+    s.centre = now_.centre;
+    s.orientation = now_.orientation;
+    begin(s);
+}
+
+
+void Foam::fsbi::rigidBody::begin(const state& s)
+{
+    older_ = old_ = now_ = s;
+    oldStep_ = step_ = 0;
+    accepted_ = 0;
+    stopped_ = solved_ = false;
 }
 
 

@@ -33,6 +33,10 @@ Foam::fsbi::bondStep::bondStep
     {
         for (const adhesion::target& t : a.sets()[set].targets)
         {
+            if (!present(set, t))
+            {
+                continue;
+            }
             if (a.sets()[set].faces)
             {
                 findFaces(set, t);
@@ -66,6 +70,17 @@ Foam::fsbi::bondStep::activeSite& Foam::fsbi::bondStep::activate
         );
     }
     return active_[inserted.first->second];
+}
+
+
+bool Foam::fsbi::bondStep::present
+(
+    const label set, const adhesion::target& t
+) const
+{
+    return
+        surfaces_.present(adhesion_.sets()[set].body)
+     && surfaces_.present(adhesion_.populations()[t.ligands].surface);
 }
 
 

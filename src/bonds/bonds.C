@@ -109,7 +109,7 @@ void Foam::fsbi::bonds::apply(loads& l) const
 void Foam::fsbi::bonds::beginStep()
 {
     old_ = state_;
-    events_.clear();
+    events_ = left_;
     const scalar dt = context_.time.deltaTValue();
     const currentSurfaces now(context_);
     bondStep step
@@ -148,6 +148,35 @@ void Foam::fsbi::bonds::endStep()
         }
     }
     dt_ = 0;
+    left_.clear();
+}
+
+
+void Foam::fsbi::bonds::forget(const label bodyi)
+{
+    const currentSurfaces now(context_);
+    for (auto b = state_.bonds.begin(); b != state_.bonds.end();)
+    {
+        const adhesion::siteSet& s = adhesion_->sets()[b->first.first];
+        if (bodyi != s.body && bodyi != adhesion_->surface(b->second.ligand))
+        {
+            ++b;
+            continue;
+        }
+        const Pair<point> at(ends(now, *b));
+        const bondPair& pair = adhesion_->pairs()[b->second.pair];
+        const scalar length = pair.length(at.first(), at.second());
+        left_.append
+        (
+            bondEvent
+            {
+                context_.time.value(), b->second.pair, b->first.first,
+                b->first.second, false, length, pair.law->force(length),
+                at.first(), at.second()
+            }
+        );
+        b = state_.bonds.erase(b);
+    }
 }
 
 

@@ -69,7 +69,7 @@ Foam::scalar Foam::fsbi::bonds::approachTime
     for (const materialPoint& site : s.sites)
     {
         const point x(now.position(s.body, site));
-        if (!now.find(other, x, reach + margin, at))
+        if (!now.present(s.body) || !now.find(other, x, reach + margin, at))
         {
             continue;
         }

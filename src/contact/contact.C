@@ -109,6 +109,10 @@ bool Foam::fsbi::contact::face
 ) const
 {
     f.otherTriangle = -1;
+    if (!now.present(other))
+    {
+        return false;
+    }
     if (now.isWall(other))
     {
         f.distance = now.wall(other).distance(f.site);

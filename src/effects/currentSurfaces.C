@@ -129,7 +129,7 @@ bool Foam::fsbi::currentSurfaces::find
         c = {mag(height), x - height*plane.normal, plane.normal, -1};
         return c.gap <= reach;
     }
-    if (!search(surface).find(x, reach, c.gap, c.triangle))
+    if (!present(surface) || !search(surface).find(x, reach, c.gap, c.triangle))
     {
         return false;
     }

@@ -205,6 +205,15 @@ Foam::scalar Foam::fsbi::effectList::clearPart
 }
 
 
+void Foam::fsbi::effectList::forget(const label bodyi)
+{
+    for (effect& e : effects_)
+    {
+        e.forget(bodyi);
+    }
+}
+
+
 Foam::fsbi::outcome Foam::fsbi::effectList::acceptable() const
 {
     for (const effect& e : effects_)

@@ -64,6 +64,10 @@ Foam::DynamicList<Foam::fsbi::neighbour> Foam::fsbi::neighbours
 )
 {
     DynamicList<neighbour> found;
+    if (!now.present(body) || !now.present(other))
+    {
+        return found;
+    }
     boundBox box(boundBox::greatBox);
     if (!now.isWall(other))
     {

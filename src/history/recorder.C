@@ -144,6 +144,10 @@ void Foam::fsbi::recorder::appendStresslets()
     const fileNameList all(paths());
     forAll(all, b)
     {
+        if (!scene_.bodies().immersed[b].present())
+        {
+            continue;
+        }
         const symmTensor s(scene_.fluid().stresslet(b));
         history_.append
         (
@@ -191,6 +195,10 @@ void Foam::fsbi::recorder::appendEffects()
     const fileNameList all(paths());
     forAll(all, b)
     {
+        if (!scene_.bodies().immersed[b].present())
+        {
+            continue;
+        }
         const sixVector& f = scene_.effectLoad(b);
         history_.append
         (
@@ -423,6 +431,30 @@ void Foam::fsbi::recorder::appendHistory(const solidRegion& body)
 }
 
 
+void Foam::fsbi::recorder::appendPassages()
+{
+    for (const bodyPassage& p : scene_.traffic().passages())
+    {
+        history_.declare
+        (
+            "traffic", {"body", "enters", "x", "y", "z"},
+            "body: its place in constant/bodies, from 0; enters: 1, leaves: 0;"
+            " centre, L"
+        );
+        const word& name = scene_.bodies().immersed[p.body].name();
+        history_.append
+        (
+            "traffic", time_.value(),
+            scalarList
+            ({
+                scalar(scene_.bodies().place(name)), scalar(p.enters),
+                p.centre.x(), p.centre.y(), p.centre.z()
+            })
+        );
+    }
+}
+
+
 void Foam::fsbi::recorder::appendCost()
 {
     if (estimatesError())
@@ -460,6 +492,10 @@ void Foam::fsbi::recorder::append
     forAll(bodies.rigid, b)
     {
         const rigidBody& body = bodies.rigid[b];
+        if (!body.present())
+        {
+            continue;
+        }
         appendHistory(body);
         if (Pstream::master())
         {
@@ -469,6 +505,10 @@ void Foam::fsbi::recorder::append
     forAll(bodies.elastic, b)
     {
         const solidRegion& body = bodies.elastic[b];
+        if (scene_.hasFluid() && !body.surface().present())
+        {
+            continue;
+        }
         appendHistory(body);
         if (Pstream::master())
         {
@@ -489,6 +529,10 @@ void Foam::fsbi::recorder::append
     forAll(bodies.prescribed, b)
     {
         const prescribedBody& body = bodies.prescribed[b];
+        if (!body.present())
+        {
+            continue;
+        }
         appendMotion(body.name(), body.now());
         if (Pstream::master())
         {
@@ -499,6 +543,7 @@ void Foam::fsbi::recorder::append
             );
         }
     }
+    appendPassages();
     appendCost();
     history_.flush();
     steps_.accept(gap, limit);

@@ -35,7 +35,7 @@ void Foam::fsbi::magnetics::interact(List<state>& s) const
             s[a].gradient = s[a].givenGradient;
             forAll(s, b)
             {
-                if (a != b)
+                if (a != b && body(a).present() && body(b).present())
                 {
                     const vector r(apart(s[b], s[a]));
                     s[a].B += dipoleB(s[b].m, r);
@@ -172,10 +172,17 @@ void Foam::fsbi::magnetics::apply(loads& l) const
     const List<state> all(states());
     forAll(all, a)
     {
+        if (!body(a).present())
+        {
+            continue;
+        }
         addGiven(a, all[a], l);
         for (label b = a + 1; interaction_ && b < all.size(); ++b)
         {
-            addPair(a, b, all, l);
+            if (body(b).present())
+            {
+                addPair(a, b, all, l);
+            }
         }
     }
 }

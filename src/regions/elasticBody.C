@@ -60,6 +60,7 @@ Foam::fsbi::elasticBody::elasticBody(const word& name, const dictionary& dict)
     const checkedDictionary entries(dict);
     entries.found("type");
     entries.found("libs");
+    entries.found("enters");
     if (entries.found("shape"))
     {
         readShape(entries);

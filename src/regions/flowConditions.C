@@ -171,7 +171,7 @@ void Foam::fsbi::flowConditions::check(const volVectorField& U)
                 << U.mesh().name() << " has the boundary condition '"
                 << pf.type()
                 << "'; give a velocity (fixedValue, uniformFixedValue,"
-                << " linearShear, Poiseuille, StokesSphere), 'traction' or"
+                << " linearShear, Poiseuille, developedFlow, StokesSphere), 'traction' or"
                 << " 'cyclic'" << exit(FatalError);
         }
     }
@@ -275,6 +275,35 @@ Foam::List<Foam::fsbi::planeWall> Foam::fsbi::flowConditions::walls
         }
     });
     return List<planeWall>(found);
+}
+
+
+Foam::wordList Foam::fsbi::flowConditions::open(const volVectorField& U) const
+{
+    scalar fastest = 0;
+    for (const fvPatchVectorField& pf : U.boundaryField())
+    {
+        fastest = max(fastest, gMax(mag(pf)()));
+    }
+    DynamicList<word> found;
+    for (const fvPatchVectorField& pf : U.boundaryField())
+    {
+        const word& name = pf.patch().name();
+        if (pf.coupled() || mesh_.isBody(name))
+        {
+            continue;
+        }
+        const scalar through = gMax(mag(pf & pf.patch().nf())());
+        if
+        (
+            isA<tractionCondition>(pf)
+         || (fastest > 0 && through > roundOff*fastest)
+        )
+        {
+            found.append(name);
+        }
+    }
+    return wordList(std::move(found));
 }
 
 

@@ -80,6 +80,7 @@ Foam::fsbi::fluidMesh::fluidMesh
     referenceGap_(GREAT),
     generation_(0)
 {
+    gather();
     readFollow();
     const remeshControls checked(remeshDict_);
     if (saved.size())
@@ -91,7 +92,7 @@ Foam::fsbi::fluidMesh::fluidMesh
     if (hasRegionMesh(time_, name_))
     {
         readMesh(time_.constant());
-        surfaces_ = meshedSurfaces(bodies_);
+        surfaces_ = meshedSurfaces(present_);
     }
     else
     {
@@ -137,7 +138,7 @@ void Foam::fsbi::fluidMesh::readFollow()
 void Foam::fsbi::fluidMesh::readMesh(const word& instance)
 {
     mesh_ = readRegionMesh(time_, name_, instance);
-    for (const word& name : namesOf(bodies_))
+    for (const word& name : namesOf(present_))
     {
         if (mesh().boundaryMesh().findPatchID(name) < 0)
         {
@@ -195,13 +196,13 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::generate
 {
     readDomain();
     meshLists whole;
-    List<bodySurface> surfaces(meshedSurfaces(bodies_));
+    List<bodySurface> surfaces(meshedSurfaces(present_));
     if (Pstream::master())
     {
         surfaces = mesher_->refined(surfaces, shapes(), shift());
         whole = mesher_->generate
         (
-            namesOf(bodies_), surfaces, shift(), finestEdge()
+            namesOf(present_), surfaces, shift(), finestEdge()
         );
     }
     string reason(whole.failure);
@@ -254,7 +255,7 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::heal
 {
     readDomain();
     meshLists whole(wholeLists(mesh()));
-    List<bodySurface> surfaces(bodies_.size());
+    List<bodySurface> surfaces(present_.size());
     forAll(surfaces, b)
     {
         surfaces[b] = motion_->surface(b);
@@ -262,14 +263,14 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::heal
     if (Pstream::master() && whole.valid())
     {
         whole.failure =
-            mesher_->placed(namesOf(bodies_), surfaces, shift()).reason;
+            mesher_->placed(namesOf(present_), surfaces, shift()).reason;
     }
     if (Pstream::master() && whole.valid())
     {
         whole.failure = fsbi::heal
         (
             whole, limits, fresh_,
-            mesher_->sizes(surfaces, shift(), finestEdge()), namesOf(bodies_)
+            mesher_->sizes(surfaces, shift(), finestEdge()), namesOf(present_)
         ).reason;
     }
     string reason(whole.failure);
@@ -285,10 +286,10 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::heal
 
 Foam::List<Foam::fsbi::toShape> Foam::fsbi::fluidMesh::shapes() const
 {
-    List<toShape> result(bodies_.size());
-    forAll(bodies_, b)
+    List<toShape> result(present_.size());
+    forAll(present_, b)
     {
-        const immersedBody& body = bodies_[b];
+        const immersedBody& body = present_[b];
         if (body.hasShape())
         {
             result[b] = [&body](const point& p) { return body.onShape(p); };
@@ -302,7 +303,7 @@ void Foam::fsbi::fluidMesh::setReference()
 {
     referencePoints_ = mesh().points();
     referenceShift_ = shift();
-    motion_.reset(new fluidMotion(mesh(), bodies_, surfaces_));
+    motion_.reset(new fluidMotion(mesh(), present_, surfaces_));
     measureReference();
 }
 
@@ -311,7 +312,7 @@ void Foam::fsbi::fluidMesh::measureReference()
 {
     referenceVolumes_ = mesh().cellVolumes();
     referenceNonOrthogonality_ = meshQuality(mesh()).maxNonOrthogonality;
-    wordList others(namesOf(bodies_));
+    wordList others(namesOf(present_));
     const auto boundary = [&]
     {
         return new triangleTree
@@ -354,6 +355,34 @@ Foam::label Foam::fsbi::fluidMesh::bodyPatch(const label bodyi) const
 }
 
 
+void Foam::fsbi::fluidMesh::gather()
+{
+    present_.clear();
+    UPtrList<immersedBody>& all = const_cast<UPtrList<immersedBody>&>(bodies_);
+    for (immersedBody& body : all)
+    {
+        if (body.present())
+        {
+            present_.append(&body);
+        }
+    }
+}
+
+
+bool Foam::fsbi::fluidMesh::holdsOthers() const
+{
+    wordList now;
+    for (const immersedBody& body : bodies_)
+    {
+        if (body.present())
+        {
+            now.append(body.name());
+        }
+    }
+    return now != namesOf(present_);
+}
+
+
 void Foam::fsbi::fluidMesh::move()
 {
     mesh_->movePoints(motion_->points(shift() - referenceShift_));
@@ -383,6 +412,11 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::follow
     auto timer = timings_.measure("meshing");
     // of bodies that a step has thrown far away
     const untrapped scope;
+    if (holdsOthers())
+    {
+        gather();
+        return anew("other bodies are in the domain", release);
+    }
     move();
 
     // a mesh that could not be made better is not degraded from the start
@@ -408,7 +442,7 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::follow
     // no swap of cells turns a body back or opens a gap
     if
     (
-        healable(bodies_) && twist <= controls.maxTwist && closingGap().empty()
+        healable(present_) && twist <= controls.maxTwist && closingGap().empty()
     )
     {
         const outcome healed(heal(controls, release));
@@ -421,6 +455,15 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::follow
         }
         Info<< "Not healed: " << healed.reason.c_str() << endl;
     }
+    return anew(reason, release);
+}
+
+
+Foam::fsbi::outcome Foam::fsbi::fluidMesh::anew
+(
+    const string& reason, const std::function<void()>& release
+)
+{
     Info<< "Remeshing: " << reason.c_str() << endl;
     const outcome made(generate(release));
     if (!made)
@@ -491,7 +534,7 @@ void Foam::fsbi::fluidMesh::restore(const dictionary& saved)
 
     const pointField now(mesh().points());
     mesh_->movePoints(referencePoints_);
-    motion_.reset(new fluidMotion(mesh(), bodies_, saved));
+    motion_.reset(new fluidMotion(mesh(), present_, saved));
     measureReference();
     mesh_->movePoints(now);
     mesh_->moving(false);

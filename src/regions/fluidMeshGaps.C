@@ -8,7 +8,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluidMesh.H"
 #include "processorPolyPatch.H"
 #include "wallPolyPatch.H"
-#include "ListOps.H"
 
 namespace Foam
 {
@@ -36,7 +35,7 @@ static scalar rounded(const scalar x)
 Foam::scalar Foam::fsbi::fluidMesh::finestEdge() const
 {
     scalar edge = GREAT;
-    for (const immersedBody& body : bodies_)
+    for (const immersedBody& body : present_)
     {
         edge = min(edge, body.meshedSurface().meanEdge());
     }
@@ -47,7 +46,7 @@ Foam::scalar Foam::fsbi::fluidMesh::finestEdge() const
 bool Foam::fsbi::fluidMesh::refines() const
 {
     bool any = remeshControls(remeshDict_).gapSag > 0;
-    for (const immersedBody& body : bodies_)
+    for (const immersedBody& body : present_)
     {
         any = any && body.hasShape();
     }
@@ -121,7 +120,7 @@ Foam::string Foam::fsbi::fluidMesh::closingGap() const
 Foam::string Foam::fsbi::fluidMesh::keptApart() const
 {
     scalar radius = GREAT;
-    for (const immersedBody& body : bodies_)
+    for (const immersedBody& body : present_)
     {
         radius = min(radius, body.radius());
     }
@@ -161,7 +160,6 @@ Foam::string Foam::fsbi::fluidMesh::bodyThatLeaves(const scalar gap) const
     {
         return string();
     }
-    const wordList patches(mesh().boundaryMesh().names());
     for (const polyPatch& patch : mesh().boundaryMesh())
     {
         if
@@ -172,17 +170,8 @@ Foam::string Foam::fsbi::fluidMesh::bodyThatLeaves(const scalar gap) const
         {
             continue;
         }
-        wordList others(patches);
-        inplaceSubsetList
-        (
-            others, [&](const word& name) { return name != patch.name(); }
-        );
-        const bodySurface open
-        (
-            inverseDistanceMotion::domainBoundary(mesh(), others)
-        );
-        const triangleTree surface(open);
-        for (const immersedBody& body : bodies_)
+        const triangleTree surface(patchSurface(patch.name()));
+        for (const immersedBody& body : present_)
         {
             const bodySurface meshed(body.meshedSurface());
             for (const point& p : meshed.points())
@@ -192,8 +181,8 @@ Foam::string Foam::fsbi::fluidMesh::bodyThatLeaves(const scalar gap) const
                 {
                     return
                         " (body '" + body.name() + "' has come to the patch '"
-                      + patch.name() + "', which is no wall, and cannot leave"
-                        " the domain: end the run before, make the domain longer"
+                      + patch.name() + "', which is no wall, but cannot leave"
+                        " there, as no fluid does: make the domain longer"
                         " in system/blockMeshDict, or let it follow the body with"
                         " `follow` in system/remeshDict)";
                 }
@@ -207,12 +196,18 @@ Foam::string Foam::fsbi::fluidMesh::bodyThatLeaves(const scalar gap) const
 Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::fluidMesh::cutSurfaces() const
 {
     List<bodySurface> cut(bodies_.size());
+    label present = 0;
     forAll(cut, b)
     {
-        if (motion_ && motion_->refined(b))
+        if (bodyPatch(b) < 0)
         {
-            cut[b] = motion_->surface(b);
+            continue;
         }
+        if (motion_ && motion_->refined(present))
+        {
+            cut[b] = motion_->surface(present);
+        }
+        ++present;
     }
     return cut;
 }
@@ -233,7 +228,7 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap
     scalar gap = GREAT;
     const auto now = [&](const label b)
     {
-        return motion_ ? motion_->surface(b) : bodies_[b].meshedSurface();
+        return motion_ ? motion_->surface(b) : present_[b].meshedSurface();
     };
     const auto approach =
         [&](const triangleTree& surface, const pointField& x, const vector& by)
@@ -247,14 +242,14 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap
                 }
             }
         };
-    forAll(bodies_, b)
+    forAll(present_, b)
     {
         const bodySurface surface(now(b));
         if (walls)          // known with the first mesh
         {
             approach(walls(), surface.points(), moved);
         }
-        if (bodies_.size() > 1)
+        if (present_.size() > 1)
         {
             const triangleTree tree(surface);
             for (label other = 0; other < b; ++other)

@@ -154,6 +154,11 @@ void Foam::fsbi::fluidRegion::linkBodies()
     labelList bodyOf(mesh().nPoints(), -1);
     forAll(mesh_.bodies(), b)
     {
+        bodyFaces_[b].clear();
+        if (mesh_.bodyPatch(b) < 0)
+        {
+            continue;
+        }
         const polyPatch& pp = mesh().boundaryMesh()[mesh_.bodyPatch(b)];
         bodyFaces_[b] =
             identity(pp.size(), pp.start() - mesh().nInternalFaces());
@@ -407,6 +412,10 @@ void Foam::fsbi::fluidRegion::setFields(const UList<bodyRows>& rows)
     }
     forAll(rows, b)
     {
+        if (mesh_.bodyPatch(b) < 0)
+        {
+            continue;
+        }
         fvPatchVectorField& Up =
             U.boundaryFieldRef()[mesh_.bodyPatch(b)];
         Up ==

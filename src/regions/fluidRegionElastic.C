@@ -9,6 +9,14 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Foam::fsbi::surfaceSide Foam::fsbi::fluidRegion::sideOf(const label b) const
 {
+    if (mesh_.bodyPatch(b) < 0)
+    {
+        surfaceSide none;
+        const bodySurface surface(mesh_.bodies()[b].placedSurface());
+        none.nFaces = surface.triangles().size();
+        none.nPoints = surface.points().size();
+        return none;
+    }
     surfaceSide side
     (
         wettedSurface::sideOf
@@ -102,6 +110,10 @@ void Foam::fsbi::fluidRegion::finish
     }
     forAll(elastic, e)
     {
+        if (mesh_.bodyPatch(rows.size() + e) < 0)
+        {
+            continue;
+        }
         fvPatchVectorField& Up =
             U_->boundaryFieldRef()[mesh_.bodyPatch(rows.size() + e)];
         Up ==

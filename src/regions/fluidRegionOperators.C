@@ -56,7 +56,7 @@ void Foam::fsbi::fluidRegion::createOperators()
     schemes.onSurface = surfaceOfBodies();
     forAll(mesh_.bodies(), b)
     {
-        if (mesh_.bodies()[b].curved())
+        if (mesh_.bodies()[b].curved() && mesh_.bodyPatch(b) >= 0)
         {
             schemes.curvedPatches.append(mesh_.bodyPatch(b));
         }
@@ -74,6 +74,10 @@ Foam::fsbi::fluidRegion::surfaceOfBodies() const
     List<bodySurface> surfaces(mesh_.bodies().size());
     forAll(mesh_.bodies(), b)
     {
+        if (mesh_.bodyPatch(b) < 0)
+        {
+            continue;
+        }
         bodyOf[mesh_.bodyPatch(b)] = b;
         const bodySurface meshed(mesh_.bodies()[b].meshedSurface());
         surfaces[b] = bodySurface().standingFor(meshed.scale(), meshed.offset());

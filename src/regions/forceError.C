@@ -64,7 +64,7 @@ Foam::List<Foam::scalarList> Foam::fsbi::forceError::nearBodies
         const surroundings near(bodies[b]);
         forAll(power, i)
         {
-            if (near.contain(mesh.cellCentres()[i]))
+            if (bodies[b].present() && near.contain(mesh.cellCentres()[i]))
             {
                 sums[b][0] += power[i];
                 sums[b][1] += dissipation[i];

@@ -157,12 +157,27 @@ void Foam::fsbi::solidRegion::setRows()
     rows_.force = loads();
     rows_.acting.clear();
     rows_.centres = centres_ + movedCells_;
+    if (!wetted_->present())
+    {
+        setStill();
+    }
     if (rows_.tethered())
     {
         rows_.targetDisplacement =
             tethered_ - gSum(vectorField(rows_.constraintWeight*movedCells_));
     }
     wetted_->setVelocity(rows_);
+}
+
+
+void Foam::fsbi::solidRegion::setStill()
+{
+    // as if a spring held every cell, as stiff as the body itself
+    const scalar k =
+        elastic_->state().stiffness()/sqr(wetted_->radius());
+    rows_.mass = k*volumes_;
+    rows_.force = rows_.mass*cells();
+    increment_ = 0;
 }
 
 

@@ -325,6 +325,34 @@ void Foam::fsbi::solidRegion::setUnknowns()
 void Foam::fsbi::solidRegion::start()
 {
     setUnknowns();
+    begin();
+}
+
+
+void Foam::fsbi::solidRegion::enter(const point& centre)
+{
+    setUnknowns();
+    const vector by(centre - wetted_->start());
+    elastic_->set
+    (
+        [&](const point& p) { return by + body_.displacement(p); }, x_.begin()
+    );
+    increment_ = 0;
+    oldStep_ = 0;
+    rows_.multiplier = Zero;
+    fluidForce_ = Zero;
+    begin();
+}
+
+
+void Foam::fsbi::solidRegion::leave()
+{
+    enter(wetted_->placed().centre);
+}
+
+
+void Foam::fsbi::solidRegion::begin()
+{
     const vectorField u(cells());
     conditions_->evaluate(movedFaces_);
     const vector centre(gSum(volumes_*centres_)/gSum(volumes_));

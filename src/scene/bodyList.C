@@ -49,6 +49,7 @@ Foam::fsbi::bodyList::bodyList
         )
     );
     checkSaved(dict, saved);
+    entries_ = dict;
     read(dict, time, t, inFluid, saved.subOrEmptyDict("bodies"));
     if (inFluid)
     {
@@ -93,6 +94,17 @@ void Foam::fsbi::bodyList::read
 }
 
 
+Foam::label Foam::fsbi::bodyList::place(const word& name) const
+{
+    label n = 0;
+    while (all_[n].name() != name)
+    {
+        ++n;
+    }
+    return n;
+}
+
+
 void Foam::fsbi::bodyList::sort(body& any)
 {
     if (auto* unknownVelocity = dynamic_cast<rigidBody*>(&any))
@@ -123,13 +135,16 @@ void Foam::fsbi::bodyList::immerse()
     for (rigidBody& body : rigid)
     {
         immersed.append(&body);
+        moving.append(&body);
     }
     for (solidRegion& body : elastic)
     {
         immersed.append(&body.surface());
+        moving.append(&body);
     }
     for (prescribedBody& body : prescribed)
     {
         immersed.append(&body);
+        moving.append(&body);
     }
 }

@@ -58,6 +58,11 @@ Foam::List<Foam::fsbi::bodyRows> Foam::fsbi::scene::bodyRowsNow() const
     forAll(rows, b)
     {
         rows[b] = bodies_.rigid[b].rows(time_.value());
+        if (!bodies_.rigid[b].present())
+        {
+            rows[b].free = FixedList<bool, 6>(false);
+            rows[b].velocity = sixVector(scalar(0));
+        }
     }
     return rows;
 }
@@ -208,7 +213,10 @@ void Foam::fsbi::scene::placeBodies()
     }
     for (prescribedBody& body : bodies_.prescribed)
     {
-        body.advance(time_.value(), time_.deltaTValue());
+        if (body.present())
+        {
+            body.advance(time_.value(), time_.deltaTValue());
+        }
     }
     if (steep())
     {
@@ -270,6 +278,7 @@ void Foam::fsbi::scene::beginStep()
     {
         effects_->setWalls(fluid_->walls());
     }
+    traffic_.beginStep();
     for (const auto& participant : participants_)
     {
         participant.second->beginStep();
@@ -316,6 +325,9 @@ void Foam::fsbi::scene::save(dictionary& state) const
         );
     }
     state.set("bodies", bodies);
+    dictionary traffic;
+    traffic_.save(traffic);
+    state.set("traffic", traffic);
 }
 
 

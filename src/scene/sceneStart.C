@@ -30,7 +30,8 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
 :
     time_(time),
     inFluid_(fluidGiven(time)),
-    bodies_(time, timings_, inFluid_, saved)
+    bodies_(time, timings_, inFluid_, saved),
+    traffic_(time, bodies_, saved.subOrEmptyDict("traffic"))
 {
     checkParts();
     checkRegions();
@@ -50,6 +51,10 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
     if (fluid_ && bodies_.elastic.size())
     {
         coupling_ = couplingScheme::New(fluid_(), bodies_.elastic);
+    }
+    if (fluid_)
+    {
+        traffic_.set(fluid_(), effects_.get());
     }
     listParticipants();
     if (coupling_ && saved.found("coupling"))

@@ -57,6 +57,8 @@ Foam::fsbi::shapeDerivative::shapeDerivative
     sum(gradients_);
     sum(stresses_);
     sum(shares);
+    // none of a body that is not in the domain
+    shares = max(shares, scalar(1));
     gradients_ /= shares;
     stresses_ /= shares;
 }

@@ -245,6 +245,11 @@ void Foam::fsbi::stepControl::reject(const scene& scene, const outcome& step)
 void Foam::fsbi::stepControl::accept(const scene& scene)
 {
     endStep();
+    if (scene.traffic().over() && !stop_)
+    {
+        Info<< "All bodies have left and none is to come: the run ends" << endl;
+        stop_ = true;
+    }
     progress_.report(scene, limit_, !adjustable());
 }
 

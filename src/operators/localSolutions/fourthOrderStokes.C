@@ -202,7 +202,10 @@ void Foam::fsbi::fourthOrderStokes::setOnEdges
     const label patchi, vectorField& onWall
 ) const
 {
-    fits_.wall().setOnEdges(patchi, onWall);
+    if (patchi >= 0)
+    {
+        fits_.wall().setOnEdges(patchi, onWall);
+    }
 }
 
 

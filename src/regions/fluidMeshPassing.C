@@ -1,0 +1,123 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+// Bodies that come to a patch where they may leave, or into the domain
+
+#include "fluidMesh.H"
+#include "ListOps.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Parts of a step's way that are looked at, at most
+static const label mostPieces = 100;
+
+//- Smallest distance of points, moved, from a surface; GREAT beyond the reach
+static scalar distanceOf
+(
+    const triangleTree& surface, const pointField& points, const vector& by,
+    const scalar reach
+)
+{
+    scalar nearest = reach;
+    bool some = false;
+    for (const point& p : points)
+    {
+        scalar distance;
+        if (surface.find(p + by, nearest, distance))
+        {
+            nearest = min(nearest, distance);
+            some = true;
+        }
+    }
+    return some ? nearest : GREAT;
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::fsbi::bodySurface Foam::fsbi::fluidMesh::patchSurface
+(
+    const word& patch
+) const
+{
+    wordList others(mesh().boundaryMesh().names());
+    inplaceSubsetList(others, [&](const word& name) { return name != patch; });
+    return inverseDistanceMotion::domainBoundary(mesh(), others);
+}
+
+
+Foam::word Foam::fsbi::fluidMesh::reached
+(
+    const label bodyi, const wordList& open, const scalar dt
+) const
+{
+    if (bodyi == followed_)
+    {
+        return word();
+    }
+    const immersedBody& body = bodies_[bodyi];
+    vector way(dt*linear(body.motion()));
+    if (followed_ >= 0)
+    {
+        way -= dt*direction_*(direction_ & linear(bodies_[followed_].motion()));
+    }
+    const bodySurface surface(body.meshedSurface());
+    const scalar edge = surface.meanEdge();
+    const label pieces =
+        1 + label(min(mag(way)/edge, scalar(mostPieces - 1)));
+    for (const word& patch : open)
+    {
+        const bodySurface outside(patchSurface(patch));
+        if (outside.triangles().empty())
+        {
+            continue;
+        }
+        const triangleTree tree(outside);
+        const scalar now = distanceOf
+        (
+            tree, surface.points(), Zero, edge + mag(way)
+        );
+        for (label i = 1; now < GREAT && i <= pieces; ++i)
+        {
+            const scalar then =
+                distanceOf(tree, surface.points(), i*way/pieces, edge);
+            if (then < min(edge, now))
+            {
+                return patch;
+            }
+        }
+    }
+    return word();
+}
+
+
+bool Foam::fsbi::fluidMesh::hasRoom(const immersedBody& body) const
+{
+    const bodySurface surface(body.meshedSurface());
+    const scalar edge = surface.meanEdge();
+    const vector moved(shift() - referenceShift_);
+    bool room =
+        distanceOf(boundary_(), surface.points(), -moved, edge) == GREAT;
+    for (const immersedBody& other : bodies_)
+    {
+        if (!room || &other == &body || !other.present())
+        {
+            continue;
+        }
+        const bodySurface there(other.meshedSurface());
+        room =
+            distanceOf(triangleTree(there), surface.points(), Zero, edge)
+         == GREAT
+         && distanceOf(triangleTree(surface), there.points(), Zero, edge)
+         == GREAT
+         && there.winding(surface.points()[0]) < 0.5
+         && surface.winding(there.points()[0]) < 0.5;
+    }
+    return room;
+}
