@@ -67,6 +67,17 @@ void Foam::fsbi::recorder::declare()
     {
         declareEffects();
     }
+    if (scene_.hasFluid())
+    {
+        open_ = scene_.fluid().openPatches();
+    }
+    for (const word& patch : open_)
+    {
+        history_.declare
+        (
+            "flow"/patch, {"outflow", "pressure"}, "L^3/T, M/L/T^2"
+        );
+    }
     if (estimatesError())
     {
         history_.declare("accuracy", {"forces"}, "-");
@@ -438,8 +449,7 @@ void Foam::fsbi::recorder::appendPassages()
         history_.declare
         (
             "traffic", {"body", "enters", "x", "y", "z"},
-            "body: its place in constant/bodies, from 0; enters: 1, leaves: 0;"
-            " centre, L"
+            "-, -, L, L, L"
         );
         const word& name = scene_.bodies().immersed[p.body].name();
         history_.append
@@ -450,6 +460,20 @@ void Foam::fsbi::recorder::appendPassages()
                 scalar(scene_.bodies().place(name)), scalar(p.enters),
                 p.centre.x(), p.centre.y(), p.centre.z()
             })
+        );
+    }
+}
+
+
+void Foam::fsbi::recorder::appendFlow()
+{
+    for (const word& patch : open_)
+    {
+        const Pair<scalar> flow(scene_.fluid().flowThrough(patch));
+        history_.append
+        (
+            "flow"/patch, time_.value(),
+            scalarList({flow.first(), flow.second()})
         );
     }
 }
@@ -482,42 +506,54 @@ void Foam::fsbi::recorder::appendCost()
 }
 
 
+void Foam::fsbi::recorder::appendBodies()
+{
+    const bodyList& bodies = scene_.bodies();
+    label series = 0;
+    const auto write = [&](const auto& state)
+    {
+        if (Pstream::master())
+        {
+            appendSeries(series_[series], state);
+        }
+    };
+    for (const rigidBody& body : bodies.rigid)
+    {
+        if (body.present())
+        {
+            appendHistory(body);
+            write(body.now());
+        }
+        ++series;
+    }
+    for (const solidRegion& body : bodies.elastic)
+    {
+        if (!scene_.hasFluid() || body.surface().present())
+        {
+            appendHistory(body);
+            write(body);
+        }
+        ++series;
+    }
+    for (const prescribedBody& body : bodies.prescribed)
+    {
+        if (body.present())
+        {
+            appendMotion(body.name(), body.now());
+            write(body.now());
+        }
+        ++series;
+    }
+}
+
+
 void Foam::fsbi::recorder::append
 (
     const Foam::string& limit, const scalar gap
 )
 {
     auto timer = scene_.clocks().measure("output");
-    const bodyList& bodies = scene_.bodies();
-    forAll(bodies.rigid, b)
-    {
-        const rigidBody& body = bodies.rigid[b];
-        if (!body.present())
-        {
-            continue;
-        }
-        appendHistory(body);
-        if (Pstream::master())
-        {
-            appendSeries(series_[b], body.now());
-        }
-    }
-    forAll(bodies.elastic, b)
-    {
-        const solidRegion& body = bodies.elastic[b];
-        if (scene_.hasFluid() && !body.surface().present())
-        {
-            continue;
-        }
-        appendHistory(body);
-        if (Pstream::master())
-        {
-            appendSeries
-            (
-                series_[bodies.rigid.size() + b], body
-            );
-        }
-    }
+    appendBodies();
     if (scene_.hasFluid())
     {
         appendStresslets();
@@ -526,24 +562,8 @@ void Foam::fsbi::recorder::append
     {
         appendEffects();
     }
-    forAll(bodies.prescribed, b)
-    {
-        const prescribedBody& body = bodies.prescribed[b];
-        if (!body.present())
-        {
-            continue;
-        }
-        appendMotion(body.name(), body.now());
-        if (Pstream::master())
-        {
-            appendSeries
-            (
-                series_[bodies.rigid.size() + bodies.elastic.size() + b],
-                body.now()
-            );
-        }
-    }
     appendPassages();
+    appendFlow();
     appendCost();
     history_.flush();
     steps_.accept(gap, limit);

@@ -102,6 +102,7 @@ void Foam::fsbi::secondOrderStokes::addBoundaryFaces
     vectorField& traction
 ) const
 {
+    boundaryFlux_.setSize(nBoundaryFaces(), 0);
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
         for (label k = 0; !pp.coupled() && k < pp.size(); ++k)
@@ -119,6 +120,7 @@ void Foam::fsbi::secondOrderStokes::addBoundaryFaces
             row[1] -= out.force.y();
             row[2] -= out.force.z();
             row[3] += out.flux;
+            boundaryFlux_[i] = out.flux;
         }
     }
 }

@@ -284,6 +284,26 @@ Foam::fsbi::sixVector Foam::fsbi::fluidRegion::load(const label bodyi) const
 }
 
 
+Foam::Pair<Foam::scalar> Foam::fsbi::fluidRegion::flowThrough
+(
+    const word& patch
+) const
+{
+    const polyPatch& pp = mesh().boundaryMesh()[patch];
+    scalarList sums(3, Zero);
+    forAll(pp, k)
+    {
+        const label i = pp.start() - mesh().nInternalFaces() + k;
+        const vector& S = mesh().faceAreas()[pp.start() + k];
+        sums[0] += stokes().boundaryFlux()[i];
+        sums[1] -= (traction_[i] & S)/mag(S);
+        sums[2] += mag(S);
+    }
+    reduce(sums, sumOp<scalarList>());
+    return {sums[0], sums[1]/max(sums[2], VSMALL)};
+}
+
+
 Foam::symmTensor Foam::fsbi::fluidRegion::stresslet
 (
     const label bodyi

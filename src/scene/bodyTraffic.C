@@ -41,7 +41,7 @@ Foam::fsbi::bodyTraffic::bodyTraffic
         if (entries.found("enters"))
         {
             rules_[b] = readEntering(entries);
-            body.setPresent(rules_[b].time <= 0 && !rules_[b].anywhere);
+            body.setPresent(rules_[b].time <= 0);
             due_[b] = body.present() ? GREAT : rules_[b].time;
         }
         placed_[b] = body.present() ? 1 : 0;

@@ -43,6 +43,18 @@ def poiseuille(x):
             -4*MU*x[:, 0])
 
 
+def duct(x):
+    """A square duct of half width 1, flow rate 4: mean velocity 1."""
+    y, z = x[:, 1], x[:, 2]
+    w, mean = 1 - z**2, 2/3
+    for n in range(1, 60, 2):
+        k, sign = n*np.pi/2, (-1)**((n - 1)//2)
+        w = w - 4*sign*np.exp(k*(np.abs(y) - 1))*(1 + np.exp(-2*k*np.abs(y))) \
+            / (1 + np.exp(-2*k))*np.cos(k*z)/k**3
+        mean -= 4*np.tanh(k)/k**5
+    return np.stack([w/mean, 0*y, 0*y], 1), -2*MU*x[:, 0]/mean
+
+
 case, flow, bound = sys.argv[1], sys.argv[2], float(sys.argv[3])
 x, U, p = field(case, "C"), field(case, "U"), field(case, "p")[:, 0]
 
@@ -61,6 +73,14 @@ elif flow == "poiseuille":
     away = (x[:, 0] > 1) & (x[:, 0] < x[:, 0].max() - 1.5)
     slope = np.polyfit(x[away, 0], p[away], 1)[0]
     error = max(np.abs(U - exact)[away].max()/2, abs(slope/(-4*MU) - 1))
+elif flow == "duct":
+    # away from the open end. bound: twice that of Poiseuille's flow on the same
+    # cells, as there are walls in two directions
+    exact, p0 = duct(x)
+    away = (x[:, 0] > 1) & (x[:, 0] < x[:, 0].max() - 1.5)
+    slope = np.polyfit(x[away, 0], p[away], 1)[0]
+    error = max(np.abs(U - exact)[away].max()/2,
+                abs(slope/np.polyfit(x[:, 0], p0, 1)[0] - 1))
 elif flow == "driven":
     # pressure difference 8 over length 8: u = (1 - z^2)/(2 mu), mean 1/(3 mu)
     error = abs(U[:, 0].mean()*3*MU - 1)

@@ -37,8 +37,6 @@ def kind(path):
 def difference(a, b, scale):
     if a.shape != b.shape:
         sys.exit(f"{a.shape} and {b.shape} rows and columns")
-    if a.size == 0:
-        sys.exit("no rows")
     worst = np.max(np.abs(a - b)) / max(scale, 1e-300)
     return worst if np.isfinite(worst) else np.inf
 
@@ -63,6 +61,10 @@ def main():
     ]
     if compared != others:
         sys.exit("the histories have other tables")
+    # a body that is never in the domain has no rows in either
+    compared = [p for p in compared if len(first[p]) or len(second[p])]
+    if not compared:
+        sys.exit("no rows")
     scales = {}
     for p in compared:
         size = np.max(np.abs(numbers(first[p])), initial=0)
@@ -75,8 +77,8 @@ def main():
     if worst[0] > options.tolerance:
         sys.exit(f"difference {worst[0]:.2e} in {worst[1]}")
 
-    times = first[first.paths()[0]]["time"]
-    if not np.array_equal(times, second[second.paths()[0]]["time"]):
+    times = first["cost"]["time"]
+    if not np.array_equal(times, second["cost"]["time"]):
         sys.exit("the steps are others")
     if np.any(np.diff(times) <= 0):
         sys.exit("rows are there twice")

@@ -283,6 +283,7 @@ void Foam::fsbi::fourthOrderStokes::addBoundaryFaces
             }
         }
     }
+    boundaryFlux_ = wallFlux_;
     addWallFluxes(b, r);
     setTractionMoments();
 }
@@ -311,8 +312,9 @@ void Foam::fsbi::fourthOrderStokes::addWallFluxes
         for (const label i : balanced_[k])
         {
             const label facei = nInternal + i;
-            r[4*mesh_.faceOwner()[facei] + 3] +=
+            boundaryFlux_[i] =
                 wallFlux_[i] - excess*mag(mesh_.faceAreas()[facei]);
+            r[4*mesh_.faceOwner()[facei] + 3] += boundaryFlux_[i];
         }
     }
 }
