@@ -77,9 +77,11 @@ def collect(case, run):
 def _in_fluid(case, run):
     with vtk_files.VTKFiles(case, fields="none", times="all", internal=False) as states:
         names = [name for _, name in run.bodies() or _recorded(run)]
-        names = [name for name in names if name in states[-1].patches()]
+        # a body that comes or goes is drawn if every saved state has it
+        names = [name for name in names
+                 if all(name in state.patches() for state in states)]
         if not names:
-            return {"missing": "no saved state has a body"}
+            return {"missing": "no body is in all saved states"}
         surfaces = {n: [Surface(state.patch(n)) for state in states] for n in names}
         walls = [_walls(s, [surfaces[n][k] for n in names], names)
                  for k, s in enumerate(states)]
@@ -142,7 +144,7 @@ def _kept_shape(run, name, times, surfaces):
     if the body deforms. What is prescribed may move without turning."""
     for turns in (True, False):
         motion = _motion(run, name, turns)
-        if motion is None or not len(motion):
+        if motion is None or len(motion) != len(run.history["cost"]):
             return None
         rows = [_row(motion[:, 0], t) for t in times]
         known = [k for k, r in enumerate(rows) if r is not None]
