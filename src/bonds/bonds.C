@@ -155,6 +155,8 @@ void Foam::fsbi::bonds::endStep()
 void Foam::fsbi::bonds::forget(const label bodyi)
 {
     const currentSurfaces now(context_);
+    const scalar begin =
+        context_.time.value() - context_.time.deltaTValue();
     for (auto b = state_.bonds.begin(); b != state_.bonds.end();)
     {
         const adhesion::siteSet& s = adhesion_->sets()[b->first.first];
@@ -170,8 +172,7 @@ void Foam::fsbi::bonds::forget(const label bodyi)
         (
             bondEvent
             {
-                context_.time.value(), b->second.pair, b->first.first,
-                b->first.second, false, length, pair.law->force(length),
+                begin, b->second.pair, b->first.first, b->first.second, false, length, pair.law->force(length),
                 at.first(), at.second()
             }
         );

@@ -6,6 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "flowConditions.H"
 #include "startField.H"
 #include "tractionCondition.H"
+#include "wallPolyPatch.H"
 #include "IStringStream.H"
 #include "OStringStream.H"
 
@@ -298,6 +299,28 @@ Foam::wordList Foam::fsbi::flowConditions::open(const volVectorField& U) const
         (
             isA<tractionCondition>(pf)
          || (fastest > 0 && through > roundOff*fastest)
+        )
+        {
+            found.append(name);
+        }
+    }
+    return wordList(std::move(found));
+}
+
+
+Foam::wordList Foam::fsbi::flowConditions::ends(const volVectorField& U) const
+{
+    DynamicList<word> found;
+    for (const fvPatchVectorField& pf : U.boundaryField())
+    {
+        const word& name = pf.patch().name();
+        if
+        (
+            !pf.coupled() && !mesh_.isBody(name)
+         && (
+                isA<tractionCondition>(pf)
+             || !isA<wallPolyPatch>(pf.patch().patch())
+            )
         )
         {
             found.append(name);

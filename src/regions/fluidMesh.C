@@ -54,7 +54,7 @@ Foam::fsbi::fluidMesh::fluidMesh
 (
     const Time& time,
     const word& name,
-    const UPtrList<immersedBody>& bodies,
+    UPtrList<immersedBody>& bodies,
     timings& t,
     const dictionary& saved
 )
@@ -329,6 +329,7 @@ void Foam::fsbi::fluidMesh::measureReference()
         }
     }
     walls_.reset(boundary());
+    patches_.clear();
 }
 
 
@@ -358,8 +359,7 @@ Foam::label Foam::fsbi::fluidMesh::bodyPatch(const label bodyi) const
 void Foam::fsbi::fluidMesh::gather()
 {
     present_.clear();
-    UPtrList<immersedBody>& all = const_cast<UPtrList<immersedBody>&>(bodies_);
-    for (immersedBody& body : all)
+    for (immersedBody& body : bodies_)
     {
         if (body.present())
         {

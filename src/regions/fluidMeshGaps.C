@@ -160,6 +160,7 @@ Foam::string Foam::fsbi::fluidMesh::bodyThatLeaves(const scalar gap) const
     {
         return string();
     }
+    const vector moved(shift() - referenceShift_);
     for (const polyPatch& patch : mesh().boundaryMesh())
     {
         if
@@ -170,14 +171,18 @@ Foam::string Foam::fsbi::fluidMesh::bodyThatLeaves(const scalar gap) const
         {
             continue;
         }
-        const triangleTree surface(patchSurface(patch.name()));
+        const triangleTree* surface = patchTree(patch.name());
         for (const immersedBody& body : present_)
         {
             const bodySurface meshed(body.meshedSurface());
             for (const point& p : meshed.points())
             {
                 scalar distance;
-                if (surface.find(p, 1.01*gap + SMALL, distance))
+                if
+                (
+                    surface
+                 && surface->find(p - moved, 1.01*gap + SMALL, distance)
+                )
                 {
                     return
                         " (body '" + body.name() + "' has come to the patch '"

@@ -41,14 +41,35 @@ static scalar distanceOf
 } // End namespace Foam
 
 
-Foam::fsbi::bodySurface Foam::fsbi::fluidMesh::patchSurface
+const Foam::fsbi::triangleTree* Foam::fsbi::fluidMesh::patchTree
 (
     const word& patch
 ) const
 {
-    wordList others(mesh().boundaryMesh().names());
-    inplaceSubsetList(others, [&](const word& name) { return name != patch; });
-    return inverseDistanceMotion::domainBoundary(mesh(), others);
+    if (patches_.find(patch) == patches_.end())
+    {
+        wordList others(mesh().boundaryMesh().names());
+        inplaceSubsetList
+        (
+            others, [&](const word& name) { return name != patch; }
+        );
+        const bodySurface now
+        (
+            inverseDistanceMotion::domainBoundary(mesh(), others)
+        );
+        std::unique_ptr<triangleTree>& tree = patches_[patch];
+        if (now.triangles().size())
+        {
+            tree.reset
+            (
+                new triangleTree
+                (
+                    now.transformed(tensor::I, referenceShift_ - shift())
+                )
+            );
+        }
+    }
+    return patches_[patch].get();
 }
 
 
@@ -71,22 +92,16 @@ Foam::word Foam::fsbi::fluidMesh::reached
     const scalar edge = surface.meanEdge();
     const label pieces =
         1 + label(min(mag(way)/edge, scalar(mostPieces - 1)));
+    const pointField points(surface.points() + (referenceShift_ - shift()));
     for (const word& patch : open)
     {
-        const bodySurface outside(patchSurface(patch));
-        if (outside.triangles().empty())
-        {
-            continue;
-        }
-        const triangleTree tree(outside);
-        const scalar now = distanceOf
-        (
-            tree, surface.points(), Zero, edge + mag(way)
-        );
+        const triangleTree* tree = patchTree(patch);
+        const scalar now =
+            tree ? distanceOf(*tree, points, Zero, edge + mag(way)) : GREAT;
         for (label i = 1; now < GREAT && i <= pieces; ++i)
         {
             const scalar then =
-                distanceOf(tree, surface.points(), i*way/pieces, edge);
+                distanceOf(*tree, points, i*way/pieces, edge);
             if (then < min(edge, now))
             {
                 return patch;

@@ -14,7 +14,7 @@ Foam::fsbi::fluidRegion::fluidRegion
     const Time& time,
     const word& name,
     const UPtrList<rigidBody>& rigidBodies,
-    const UPtrList<immersedBody>& bodies,
+    UPtrList<immersedBody>& bodies,
     timings& t,
     const dictionary& savedMesh
 )

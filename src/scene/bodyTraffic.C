@@ -34,6 +34,7 @@ Foam::fsbi::bodyTraffic::bodyTraffic
     due_(rules_.size(), GREAT),
     told_(rules_.size(), false)
 {
+    checkFluid();
     forAll(rules_, b)
     {
         immersedBody& body = bodies_.immersed[b];
@@ -49,6 +50,22 @@ Foam::fsbi::bodyTraffic::bodyTraffic
     if (saved.size())
     {
         restore(saved);
+    }
+}
+
+
+void Foam::fsbi::bodyTraffic::checkFluid() const
+{
+    for (const body& any : bodies_.all())
+    {
+        const dictionary& entries = bodies_.entries(any.name());
+        if (rules_.empty() && entries.found("enters"))
+        {
+            FatalIOErrorInFunction(entries)
+                << "Body '" << any.name() << "' has an entry 'enters', but"
+                << " there is no fluid (constant/fluid/material) that it could"
+                << " come into" << exit(FatalIOError);
+        }
     }
 }
 

@@ -41,7 +41,7 @@ if what == "stream":
           and table("bodies/late/position")[0, 0] == late[0, 0])
     flow_in, flow_out = table("flow/inlet"), table("flow/outlet")
     # bound: digits of the sums on the inlet; what the solver's tolerance of
-    # 1e-6 leaves in cells adds up to less than 1e-4 of the flow on the outlet
+    # 1e-8 leaves in cells adds up to less than 1e-4 of the flow on the outlet
     check("the rate is the one given",
           np.abs(flow_in[:, 1]/-0.032 - 1).max() < 1e-10)
     check("what flows in flows out",
