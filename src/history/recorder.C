@@ -74,7 +74,7 @@ void Foam::fsbi::recorder::declare()
     {
         history_.declare
         (
-            "flow"/patch, {"outflow", "pressure"}, "L^3/T, M/L/T^2"
+            "flow"/patch, {"in", "out", "pressure"}, "L^3/T, L^3/T, M/L/T^2"
         );
     }
     if (estimatesError())

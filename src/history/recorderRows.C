@@ -221,11 +221,11 @@ void Foam::fsbi::recorder::appendFlow()
 {
     for (const word& patch : ends_)
     {
-        const Pair<scalar> flow(scene_.fluid().flowThrough(patch));
+        const patchFlow flow(scene_.fluid().flowThrough(patch));
         history_.append
         (
             "flow"/patch, time_.value(),
-            scalarList({flow.first(), flow.second()})
+            scalarList({flow.in, flow.out, flow.pressure})
         );
     }
 }

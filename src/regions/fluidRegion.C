@@ -284,23 +284,24 @@ Foam::fsbi::sixVector Foam::fsbi::fluidRegion::load(const label bodyi) const
 }
 
 
-Foam::Pair<Foam::scalar> Foam::fsbi::fluidRegion::flowThrough
+Foam::fsbi::patchFlow Foam::fsbi::fluidRegion::flowThrough
 (
     const word& patch
 ) const
 {
     const polyPatch& pp = mesh().boundaryMesh()[patch];
-    scalarList sums(3, Zero);
+    scalarList sums(4, Zero);
     forAll(pp, k)
     {
         const label i = pp.start() - mesh().nInternalFaces() + k;
         const vector& S = mesh().faceAreas()[pp.start() + k];
-        sums[0] += stokes().boundaryFlux()[i];
-        sums[1] -= (traction_[i] & S)/mag(S);
-        sums[2] += mag(S);
+        const scalar out = stokes().boundaryFlux()[i];
+        sums[out > 0 ? 1 : 0] += mag(out);
+        sums[2] -= (traction_[i] & S)/mag(S);
+        sums[3] += mag(S);
     }
     reduce(sums, sumOp<scalarList>());
-    return {sums[0], sums[1]/max(sums[2], VSMALL)};
+    return {sums[0], sums[1], sums[2]/max(sums[3], VSMALL)};
 }
 
 
