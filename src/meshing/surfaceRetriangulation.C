@@ -127,7 +127,7 @@ Foam::fsbi::bodySurface Foam::fsbi::retriangulated
     const bodySurface& given,
     const labelUList& patches,
     const scalar featureAngle,
-    const scalar size,
+    const sizeFunction& size,
     labelList& newPatches
 )
 {

@@ -36,6 +36,7 @@ Foam::fsbi::interruption::interruption()
     speaker = Pstream::master();
     std::signal(SIGINT, onInterrupt);
     std::signal(SIGTERM, onInterrupt);
+    std::signal(SIGUSR1, onInterrupt);
     // a file beyond the user's limit: writing it fails, and says so
     std::signal(SIGXFSZ, SIG_IGN);
 }

@@ -155,12 +155,13 @@ void Foam::fsbi::progress::report
 }
 
 
-void Foam::fsbi::progress::conclude(const bool interrupted) const
+void Foam::fsbi::progress::conclude(const string& why) const
 {
-    if (interrupted)
+    if (why.size())
     {
-        Info<< nl << "Interrupted at " << time_.timeName() << ": the state is"
-            << " saved, 'startFrom latestTime' continues from here" << endl;
+        Info<< nl << "Interrupted at " << time_.timeName() << ": " << why.c_str()
+            << "; the state is saved, 'startFrom latestTime' continues from here"
+            << endl;
     }
     else if (time_.value() == firstTime_)
     {

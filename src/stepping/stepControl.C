@@ -29,9 +29,10 @@ bool running(const Foam::Time& time)
 } // End anonymous namespace
 
 
-Foam::fsbi::stepControl::stepControl(Time& time)
+Foam::fsbi::stepControl::stepControl(Time& time, const argList& args)
 :
     time_(time),
+    wallTime_(args),
     progress_(time),
     chosen_(time.deltaTValue()),
     gridTime_(-GREAT),
@@ -189,6 +190,7 @@ bool Foam::fsbi::stepControl::next(const scene& scene)
             return false;
         }
         progress_.begin();
+        wallTime_.begin();
         outputs_ = outputsUntil(time_.value());
         choose(scene);
         if (!running(time_))
@@ -306,7 +308,12 @@ void Foam::fsbi::stepControl::rewind()
 
 void Foam::fsbi::stepControl::endStep()
 {
-    stop_ = interruption_.asked();
+    const string why
+    (
+        interruption_.asked() ? "it was told to end" : wallTime_.shortage()
+    );
+    interrupted_ = running(time_) ? why : string();
+    stop_ = why.size();
     leftOver_ = 0;
 }
 

@@ -43,8 +43,8 @@ int main(int argc, char *argv[])
         "fvSolution}. Writes time folders with the regions\n(fluid: U, p;"
         " <body>: D, sigma ...), postProcessing/history.h5 and"
         " postProcessing/bodies.\n"
-        "Ctrl-C ends the run after the step in hand with a saved state;\n"
-        "'startFrom latestTime' continues."
+        "Ctrl-C, SIGTERM or SIGUSR1 ends the run after the step in hand with a"
+        " saved state;\n'startFrom latestTime' continues."
     );
 
     argList::addBoolOption
@@ -52,6 +52,14 @@ int main(int argc, char *argv[])
         "dry-run",
         "Check the case, list its effects and every default taken, estimate"
         " time and memory from two steps; write nothing"
+    );
+
+    argList::addOption
+    (
+        "maxWallTime",
+        "time",
+        "End with a saved state before this time is over: seconds, or"
+        " [days-][hours:]minutes:seconds as a cluster's queue tells it"
     );
 
     // its own check says what to type
@@ -70,7 +78,7 @@ int main(int argc, char *argv[])
     #include "createTime.H"
 
     const fsbi::defaultsTaken defaults(runTime.globalPath());
-    fsbi::stepControl steps(runTime);
+    fsbi::stepControl steps(runTime, args);
     fsbi::checkpoint states(runTime);
     const dictionary saved(states.read());
     const bool restarted = saved.size();

@@ -266,7 +266,7 @@ Foam::scalar Foam::fsbi::domainSurface::area(const label patchi) const
 
 Foam::fsbi::domainSurface Foam::fsbi::domainSurface::retriangulated
 (
-    const scalar size, const scalar featureAngle
+    const sizeFunction& size, const scalar featureAngle
 ) const
 {
     labelList patches;
@@ -282,8 +282,8 @@ Foam::fsbi::domainSurface Foam::fsbi::domainSurface::retriangulated
     {
         FatalErrorInFunction
             << solid.reason.c_str() << nl
-            << "A smaller size than " << size << " may help, or another"
-            << " featureAngle" << exit(FatalError);
+            << "A smaller size may help, or another featureAngle"
+            << exit(FatalError);
     }
     return domainSurface(*this, triangles, patches);
 }

@@ -8,7 +8,7 @@ Application
 Description
     The domain of a scene from surfaces of any shape, a vessel, a bifurcation, a
     device: what blockMesh does from blocks. The surface is given triangles of one size,
-    whose facets lie on it on average, and filled with
+    or less in boxes, whose facets lie on it on average, and filled with
     tetrahedra; fsbiFoam puts the bodies in it.
 
 Usage
@@ -18,6 +18,7 @@ Usage
         files        | surface files; solids or zones are patches    |
         scale        | factor on their coordinates, 1e6: from metres to um | 1
         size         | edge length of the walls' triangles           |
+        finer        | boxes in which walls have shorter edges       |
         farSize      | of cells away from walls                      | size
         open         | patches that are no walls                     | ()
         featureAngle | degrees; edges that are sharper stay          | 40
@@ -46,38 +47,9 @@ Limitations
 #include "IOdictionary.H"
 #include "polyMesh.H"
 #include "spelling.H"
+#include "wallSizes.H"
 
 using namespace Foam;
-
-//- Triangles that a surface of this area would have, over edge^2
-static scalar trianglesOf(const scalar area, const scalar edge)
-{
-    return area/(0.433*sqr(edge));
-}
-
-
-//- Edges must fit into the domain, and not be too many: fatal, as a wrong unit is
-//  the likeliest reason
-static void checkSize
-(
-    const dictionary& dict, const fsbi::bodySurface& surface, const scalar size
-)
-{
-    const scalar mostTriangles = 1e6;
-    const vector span(surface.bounds().span());
-    const scalar n = trianglesOf(surface.area(), size);
-    if (size > 0.5*cmptMin(span) || n > mostTriangles)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Edges of size " << size << " do not suit a domain of "
-            << span.x() << " by " << span.y() << " by " << span.z() << ": "
-            << (n > mostTriangles
-              ? "its walls would have " + name(label(min(n, 1e9))) + " triangles"
-              : string("the longest that fit are half of its shortest side")).c_str()
-            << ". Is it in another unit (scale)?" << exit(FatalIOError);
-    }
-}
-
 
 static void checkOpen
 (
@@ -149,10 +121,10 @@ int main(int argc, char *argv[])
     const fsbi::checkedDictionary entries(dict);
     const List<fileName> files(entries.get<List<fileName>>("files"));
     const scalar scale = entries.positive("scale", 1);
-    const scalar size = entries.positive("size");
+    const fsbi::wallSizes sizes(entries);
     const scalar featureAngle = entries.positive("featureAngle", 40);
     dictionary inside;
-    inside.set("farSize", entries.positive("farSize", size));
+    inside.set("farSize", entries.positive("farSize", sizes.size()));
     // nothing is solved on these cells: sharp wedges may have poor ones
     inside.set("maxNonOrthogonality", 85);
     inside.set("maxSkewness", 20);
@@ -161,8 +133,8 @@ int main(int argc, char *argv[])
 
     const fsbi::domainSurface given(files, scale);
     checkOpen(dict, open, given.patchNames());
-    checkSize(dict, given.surface(), size);
-    const fsbi::domainSurface walls(given.retriangulated(size, featureAngle));
+    sizes.check(dict, given.surface());
+    const fsbi::domainSurface walls(given.retriangulated(sizes, featureAngle));
     report(given, walls);
 
     const fsbi::meshLists mesh(walls.fill(fsbi::bodyMesher(inside), open));

@@ -100,7 +100,7 @@ Foam::label Foam::fsbi::surfaceRemesher::split()
     DynamicList<label> order;
     forAll(edges_, i)
     {
-        if (length(edges_[i]) > 4*size_/3)
+        if (length(edges_[i]) > 4*size(edges_[i])/3)
         {
             order.append(i);
         }
@@ -211,6 +211,7 @@ bool Foam::fsbi::surfaceRemesher::collapsible
 bool Foam::fsbi::surfaceRemesher::roomAt(const sharedEdge& e) const
 {
     const point middle(joined(e));
+    const scalar size = size_(middle);
     for (const label end : {e.a, e.b})
     {
         for (const label t : around_[end])
@@ -225,8 +226,8 @@ bool Foam::fsbi::surfaceRemesher::roomAt(const sharedEdge& e) const
                 const label v = triangles_[t][j];
                 p[j] = v == end ? middle : points_[v];
                 const scalar most =
-                    evening_ ? max(4*size_/3, mag(points_[v] - points_[end]))
-                  : 4*size_/3;
+                    evening_ ? max(4*size/3, mag(points_[v] - points_[end]))
+                  : 4*size/3;
                 if (v != end && mag(points_[v] - middle) > most)
                 {
                     return false;
@@ -236,7 +237,7 @@ bool Foam::fsbi::surfaceRemesher::roomAt(const sharedEdge& e) const
             const vector before(triangles_[t].areaNormal(points_));
             if
             (
-                mag(after) < flat*sqr(size_)
+                mag(after) < flat*sqr(size)
              || (after & before) < 0.5*mag(after)*mag(before)
             )
             {
@@ -254,7 +255,7 @@ Foam::label Foam::fsbi::surfaceRemesher::collapse()
     boolList touched(points_.size(), false);
     for (const sharedEdge& e : edges_)
     {
-        if (length(e) >= 0.8*size_ || !collapsible(e, touched))
+        if (length(e) >= 0.8*size(e) || !collapsible(e, touched))
         {
             continue;
         }
@@ -375,11 +376,13 @@ void Foam::fsbi::surfaceRemesher::smooth()
 {
     vectorField sum(points_.size(), Zero), normals(points_.size(), Zero);
     scalarField weight(points_.size(), Zero);
+    const scalar anywhere = size_(points_[0]);
     for (const triFace& t : triangles_)
     {
         const vector n(t.areaNormal(points_));
-        const scalar area = mag(n);
         const point centre(t.centre(points_));
+        // or points would leave where triangles are to be small
+        const scalar area = mag(n)*sqr(anywhere/size_(centre));
         for (const label p : t)
         {
             sum[p] += area*centre;
@@ -420,7 +423,8 @@ Foam::fsbi::surfaceRemesher::surfaceRemesher
     surfaceRemesher
     (
         start, labelList(start.triangles().size(), Zero),
-        boolList(start.points().size(), false), size,
+        boolList(start.points().size(), false),
+        [size](const point&) { return size; },
         [project](const point& x, const labelPair&) { return project(x); }
     )
 {
@@ -433,7 +437,7 @@ Foam::fsbi::surfaceRemesher::surfaceRemesher
     const bodySurface& start,
     const labelUList& parts,
     const UList<bool>& corners,
-    const scalar size,
+    const sizeFunction& size,
     const projection& project
 )
 :
