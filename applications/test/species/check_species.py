@@ -71,10 +71,11 @@ def amounts(case, other):
 
 def displaced(case):
     t = table(case, "even/balance")
-    # the ellipsoid's volume is 4/3 pi 2 2 1.5, triangles leave out up to 15 % of it
     gone = -t["displaced"][-1] / (4 / 3 * np.pi * 6)
-    print(f"displaced {gone:.4f} of the body's volume")
-    return balance(case) and 0.85 < gone < 1 and uniform(case)
+    # bound: triangles are put so that they have the ellipsoid's volume, 4/3 pi a b c;
+    # digits of coordinates
+    return (no_more("displaced, over the body's volume", abs(gone - 1), 1e-9)
+            and balance(case) and uniform(case))
 
 
 def equilibrium(case):
