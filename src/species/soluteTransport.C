@@ -12,9 +12,8 @@ namespace Foam
 namespace fsbi
 {
 
-//- Sets of limits that are tried, and the change of c, over its largest, after
-//  which no other is
-static const label mostLimits = 8;
+//- Corrections of c, and its change, over the largest, after which limits stay
+static const label mostCorrections = 10;
 static const scalar sameConcentration = 1e-6;
 
 static const label mostIterations = 300;
@@ -295,9 +294,10 @@ Foam::fsbi::outcome Foam::fsbi::soluteTransport::solve
     setMatrix();
     const scalarField& V = stencil_.mesh().cellVolumes();
     scalarField r(c.size()), dc;
-    for (label k = 0; k < (newLimits ? mostLimits : 1); ++k)
+    bool settled = !newLimits;
+    for (label k = 0; k < mostCorrections; ++k)
     {
-        if (newLimits)
+        if (!settled)
         {
             setLimits(c);
         }
@@ -309,19 +309,14 @@ Foam::fsbi::outcome Foam::fsbi::soluteTransport::solve
             break;
         }
         const scalar fall = min(max(tolerance*there/size, least), tolerance);
-        const outcome solved(correct(r, fall, dc));
+        const outcome solved(correct(r, settled ? fall : tolerance, dc));
         if (!solved)
         {
             return solved;
         }
-        forAll(c, celli)
-        {
-            c[celli] -= dc[celli];
-        }
-        if (gMax(mag(dc)()) <= sameConcentration*gMax(mag(c)()))
-        {
-            break;
-        }
+        c -= dc;
+        settled =
+            settled || gMax(mag(dc)()) <= sameConcentration*gMax(mag(c)());
     }
     residual(c.cdata(), 1, r.begin());
     return outcome();

@@ -7,6 +7,7 @@ import sys
 import numpy as np
 
 import theory
+from fsbi import plots
 from fsbi.case import Case
 from fsbi.results import Results
 
@@ -70,6 +71,7 @@ def diffusion():
 
 
 def sherwood():
+    all_errors = {}
     for pe, bounds in SHERWOOD.items():
         def number(run):
             return surface(run, "sphere", "rate") / (4 * np.pi) * 2 * pe
@@ -81,6 +83,11 @@ def sherwood():
             results.add(f"Sherwood_Pe{pe}_published", found, theory.sherwood_fit(pe),
                         bounds[m] + FIT, variant=name)
         order(errors, f"Sherwood_Pe{pe}")
+        all_errors[f"Pe = {pe}"] = list(errors.values())
+    if not quick:
+        plots.convergence("sherwood.png", [0.2, 0.1], all_errors,
+                          xlabel="edges of the triangles (radii)",
+                          title="Sherwood number of a sphere in Stokes flow")
 
 
 def channel():
