@@ -89,10 +89,16 @@ void Foam::fsbi::relativeFlux::addFlow()
         const vector atN(u[N] + (stencil_.fromNeighbour()[i] & gradient[N]));
         inner_[i] = 0.5*((atP + atN) & stencil_.area()[i]);
     }
-    boundary_ = stokes.boundaryFlux();
-    forAll(free_, i)
+    const wordList open(fluid_.openPatches());
+    for (const polyPatch& pp : stencil_.mesh().boundaryMesh())
     {
-        free_[i] = !stokes.velocityGiven()[i];
+        const label start = pp.start() - stencil_.mesh().nInternalFaces();
+        const label end = open.found(pp.name()) ? start + pp.size() : start;
+        for (label i = start; i < end; ++i)
+        {
+            boundary_[i] = stokes.boundaryFlux()[i];
+            free_[i] = !stokes.velocityGiven()[i];
+        }
     }
 }
 

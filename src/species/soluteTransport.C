@@ -171,7 +171,7 @@ void Foam::fsbi::soluteTransport::addBoundary(const scalar part, scalar* r)
                 out = 0;
                 break;
             case boundaryLaw::open:
-                wall = phi < 0 ? given : c_[P];
+                wall = phi < 0 ? given : walls_[i] == zero ? 0 : c_[P];
                 out = phi*wall;
                 break;
             case boundaryLaw::fixed:
@@ -265,9 +265,9 @@ void Foam::fsbi::soluteTransport::setLimits(const scalarField& c)
     limits_ = gradients_.limits(c_, g_);
     forAll(walls_, i)
     {
-        if (law_->kinds[i] == boundaryLaw::exchange && atWall_[i] < 0)
+        const label facei = stencil_.mesh().nInternalFaces() + i;
+        if (law_->kinds[i] != boundaryLaw::fixed && atWall_[i] < 0)
         {
-            const label facei = stencil_.mesh().nInternalFaces() + i;
             walls_[i] =
                 c[stencil_.mesh().faceOwner()[facei]] < 0 ? zero : twoPoint;
         }
