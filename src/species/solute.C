@@ -157,7 +157,10 @@ Foam::fsbi::outcome Foam::fsbi::solute::solve
     for (label k = 0; k < mostGuesses; ++k)
     {
         const boundaryLaw laws(law(flux, dt, guesses));
-        const outcome solved(transport.solve(laws, tolerance_, k == 0, next_.c));
+        const outcome solved
+        (
+            transport.solve(laws, tolerance_, k == 0, next_.c)
+        );
         bool agreed = true;
         for (label s = 0; solved && s < surfaces_.size(); ++s)
         {

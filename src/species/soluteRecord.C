@@ -76,8 +76,8 @@ void Foam::fsbi::solute::readSurfaces(const dictionary& dict)
         if (!e.isDict())
         {
             FatalIOErrorInFunction(dict)
-                << "Entry '" << e.keyword() << "' of 'surfaces' is no dictionary:"
-                << " a surface is name { type uptake; k ...; }"
+                << "Entry '" << e.keyword() << "' of 'surfaces' is no"
+                << " dictionary: a surface is name { type uptake; k ...; }"
                 << exit(FatalIOError);
         }
         surfaces_.append(new soluteSurface(e.dict()));
@@ -110,7 +110,8 @@ void Foam::fsbi::solute::checkPatch
     {
         FatalIOErrorInFunction(dict)
             << "Nothing flows in through body '" << surface.name() << "'. Valid"
-            << " types of bodies are (fixedConcentration release uptake binding)"
+            << " types of bodies are (fixedConcentration release uptake"
+            << " binding)"
             << exit(FatalIOError);
     }
 }

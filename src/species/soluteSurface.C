@@ -158,8 +158,8 @@ bool Foam::fsbi::soluteSurface::improve
     {
         return true;
     }
-    // as if the concentration did not answer; it makes the slope less steep, but
-    // not below that of b itself
+    // as if the concentration did not answer; that makes the slope less steep,
+    // but not below that of b itself
     scalar slope = -1 - dt*(kOff_ + kOn_*max(wall, scalar(0)));
     if (g.lastBound >= 0 && g.lastBound != g.bound)
     {
