@@ -12,8 +12,9 @@ namespace Foam
 namespace fsbi
 {
 
-//- Corrections of c, and its change, over the largest, after which limits stay
-static const label mostCorrections = 10;
+//- Sets of limits that are tried, and the change of c, over its largest, after
+//  which no other is
+static const label mostLimits = 8;
 static const scalar sameConcentration = 1e-6;
 
 static const label mostIterations = 300;
@@ -294,10 +295,9 @@ Foam::fsbi::outcome Foam::fsbi::soluteTransport::solve
     setMatrix();
     const scalarField& V = stencil_.mesh().cellVolumes();
     scalarField r(c.size()), dc;
-    bool settled = !newLimits;
-    for (label k = 0; k < mostCorrections; ++k)
+    for (label k = 0; k < (newLimits ? mostLimits : 1); ++k)
     {
-        if (!settled)
+        if (newLimits)
         {
             setLimits(c);
         }
@@ -309,14 +309,19 @@ Foam::fsbi::outcome Foam::fsbi::soluteTransport::solve
             break;
         }
         const scalar fall = min(max(tolerance*there/size, least), tolerance);
-        const outcome solved(correct(r, settled ? fall : tolerance, dc));
+        const outcome solved(correct(r, fall, dc));
         if (!solved)
         {
             return solved;
         }
-        c -= dc;
-        settled =
-            settled || gMax(mag(dc)()) <= sameConcentration*gMax(mag(c)());
+        forAll(c, celli)
+        {
+            c[celli] -= dc[celli];
+        }
+        if (gMax(mag(dc)()) <= sameConcentration*gMax(mag(c)()))
+        {
+            break;
+        }
     }
     residual(c.cdata(), 1, r.begin());
     return outcome();
