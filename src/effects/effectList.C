@@ -8,18 +8,14 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Foam::fsbi::effectList::effectList
 (
-    const Time& time,
-    const UPtrList<immersedBody>& bodies,
+    const effectContext& context,
     const List<List<triFace>>& triangles,
-    const List<planeWall>& walls,
-    const List<unseenPatch>& unseen,
-    const scalar mu,
     timings& t,
     const dictionary& saved
 )
 :
     timings_(t),
-    context_({time, bodies, walls, mu, unseen}),
+    context_(context),
     triangles_(triangles)
 {
     read(saved);
