@@ -201,6 +201,39 @@ Foam::scalar Foam::fsbi::effectList::clearPart
 }
 
 
+bool Foam::fsbi::effectList::fluctuates() const
+{
+    for (const effect& e : effects_)
+    {
+        if (e.fluctuates())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+Foam::fsbi::outcome Foam::fsbi::effectList::setResistance
+(
+    const freeResistance& resistance
+)
+{
+    for (effect& e : effects_)
+    {
+        const outcome set
+        (
+            e.fluctuates() ? e.setResistance(resistance) : outcome()
+        );
+        if (!set)
+        {
+            return set;
+        }
+    }
+    return outcome();
+}
+
+
 void Foam::fsbi::effectList::forget(const label bodyi)
 {
     for (effect& e : effects_)

@@ -124,6 +124,7 @@ void Foam::fsbi::scene::createEffects(const dictionary& saved)
             triangles, timings_, saved
         )
     );
+    checkFluctuations();
     fluid_->setEffects(effects_());
 }
 
