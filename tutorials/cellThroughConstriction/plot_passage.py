@@ -3,7 +3,7 @@
 """Where the cell is, how long it is, and the flow that it lets through."""
 
 import numpy as np
-from make_channel import HALF, RADIUS, STRAIGHT, THROAT, radius, resistance
+from make_vessel import HALF, RADIUS, STRAIGHT, THROAT, radius, resistance
 
 from fsbi import plots
 from fsbi.history import History
