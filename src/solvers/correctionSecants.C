@@ -16,9 +16,12 @@ static const scalar goodFactor = 0.1;
 
 static const std::size_t mostColumns = 8;
 
-//- Differences that are known before they are made use of: large strains take a
-//  few corrections until the derivative is good
-static const std::size_t fewestColumns = 3;
+//- Corrections before differences are made use of: large strains take a few until
+//  the derivative is good
+static const label plainCorrections = 3;
+
+//- A correction over the one before it, above which differences mislead
+static const scalar misled = 2;
 
 //- Part of a column that must be new: corrections are solved to a thousandth
 static const scalar filter = 1e-2;
@@ -35,6 +38,7 @@ void Foam::fsbi::correctionSecants::start(const label begin, const label end)
     correction_.clear();
     iterate_.clear();
     norm_ = 0;
+    corrections_ = 0;
 }
 
 
@@ -50,7 +54,12 @@ bool Foam::fsbi::correctionSecants::better
     }
     const scalar norm = product_.norm(correction);
     const bool good = norm_ == 0 || norm <= goodFactor*norm_;
-    if (iterate_.size() == x.size())
+    ++corrections_;
+    if (norm > misled*norm_ && norm_ > 0)
+    {
+        columns_.clear();
+    }
+    else if (norm_ > 0)
     {
         columns_.push_front
         (
@@ -64,7 +73,7 @@ bool Foam::fsbi::correctionSecants::better
     correction_ = correction;
     norm_ = norm;
     iterate_ = x;
-    if (good || columns_.size() < fewestColumns)
+    if (good || corrections_ <= plainCorrections)
     {
         return false;
     }
