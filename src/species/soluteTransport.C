@@ -18,8 +18,8 @@ static const scalar sameConcentration = 1e-6;
 
 static const label mostIterations = 300;
 
-//- Part of the residual to which iterations can bring it, and of what fluxes add
-//  up to: digits
+//- Part of the residual to which iterations can bring it, and of what fluxes
+//  add up to: digits
 static const scalar least = 1e-9;
 static const scalar digits = 1e-13;
 static const label restart = 40;
