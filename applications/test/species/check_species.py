@@ -95,7 +95,7 @@ def decay(case):
 
 def full(case):
     t = table(case, "full/balance")
-    # bound: of diffusion over 2e6 us nothing is left; the solver's tolerance
+    # bound: of diffusion over 4 steps of 1e6 us nothing is left; the solver's tolerance
     return no_more("off", max(abs(t["min"][-1] - 0.7), abs(t["max"][-1] - 0.7)), 1e-6)
 
 
