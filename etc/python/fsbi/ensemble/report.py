@@ -82,4 +82,4 @@ def sensitivities(ensemble, path):
             print(f"    {result.name}, {p.name}: first-order index {row[0]:.2f} ({row[1]:.2f} to "
                   f"{row[2]:.2f}), total {row[3]:.2f} ({row[4]:.2f} to {row[5]:.2f})")
     write_table(path, ["quantity", "parameter", "first", "firstLow", "firstHigh", "total",
-                  "totalLow", "totalHigh"], rows)
+                       "totalLow", "totalHigh"], rows)

@@ -56,6 +56,7 @@ class Description:
             if result.wanted:
                 top.refuse(f"'halfWidth' of {result.name} belongs to fsbiEnsemble")
         names = [p.name for p in self.parameters] + [r.name for r in self.results]
+        self._check_names(names, top.values.get("constraints"))
         self.wanted = top.one(*GOALS)
         self.sign = 1 if self.wanted == "minimise" else -1
         self.goal = _formula(top, self.wanted, names)
@@ -71,7 +72,6 @@ class Description:
         self.runs = top.count("runs")
         self._check_runs()
         self.prepare = dictionary.shown(top.get("prepare", "blockMesh"))
-        self._check_names(names)
 
     def _parameter(self, name, given):
         parameter = Parameter(name, given, "random")
@@ -86,15 +86,15 @@ class Description:
             self.top.refuse(f"{self.runs} runs are too few: with {len(self.parameters)} "
                             f"parameters and {len(self.seeds())} seeds at least {least}")
 
-    def _check_names(self, names):
-        names = ["point", "value", "low", "high", "met", "failed", *names,
-                 *(c.name for c in self.constraints)]
-        twice = sorted({n for n in names if names.count(n) > 1})
-        if twice:
-            self.top.refuse(f"'{twice[0]}' names two columns of the table")
+    def _check_names(self, names, constraints):
         wrong = [n for n in names if not n.isidentifier()]
         if wrong:
             self.top.refuse(f"'{wrong[0]}' cannot stand in a formula: letters, digits and _")
+        names = ["point", "value", "low", "high", "met", "failed", "seed", *names,
+                 *(constraints.values if isinstance(constraints, dictionary.Dictionary) else ())]
+        twice = sorted({n for n in names if names.count(n) > 1})
+        if twice:
+            self.top.refuse(f"'{twice[0]}' names two columns of the table")
 
     def seeds(self):
         """Of every point; [None]: the case's own."""
@@ -120,8 +120,9 @@ class Description:
                      if r.yes_or_no() and r.name == self.goal.text.strip()), None)
 
     def settings(self, point):
-        """Of a point of the unit cube."""
-        return {p.name: p.at(float(u)) for p, u in zip(self.parameters, np.clip(point, 0, 1))}
+        """Of a point of the unit cube, with the digits that foamDictionary keeps."""
+        return {p.name: f"{float(p.at(float(u))):.6g}"
+                for p, u in zip(self.parameters, np.clip(point, 0, 1))}
 
     def check(self, entries):
         """Against the case."""
