@@ -106,6 +106,7 @@ def test_stopped_and_killed_it_goes_on_to_the_same_table(one):
     assert code == 130 and "the same command goes on" in text and "Traceback" not in text
     text, code = ended("killed", 16, signal.SIGTERM)        # while COBYLA waits for a run
     assert code == 130 and "runs are kept, the same command" in text and "Traceback" not in text
+    assert "Call-back" not in text
     ended("killed", 20, signal.SIGKILL)
     before = {path: os.path.getmtime(path) for path in kept("killed")}
     done = call("killed")

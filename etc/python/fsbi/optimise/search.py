@@ -56,13 +56,16 @@ def best(rows):
 
 def descend(measure, start, scaled, points, tolerance):
     """measure(u) gives (value, *rooms); `points` of them at most."""
-    known = {}
+    known, ended = {}, []
 
     def at(x):
         key = x.tobytes()
-        if key not in known:
-            known[key] = scaled(measure(np.clip(x, 0, 1)))
-        return known[key]
+        if key not in known and not ended:
+            try:
+                known[key] = scaled(measure(np.clip(x, 0, 1)))
+            except BaseException as error:      # Ctrl-C: Fortran would add words of its own
+                ended.append(error)
+        return known.get(key, scaled.worst)
 
     dimensions, rooms = len(start), len(scaled.scale) - 1
     constraints = [dict(type="ineq", fun=lambda x, i=i: at(x)[i + 1]) for i in range(rooms)]
@@ -71,3 +74,5 @@ def descend(measure, start, scaled, points, tolerance):
                         dict(type="ineq", fun=lambda x, i=i: 1 - x[i])]
     minimize(lambda x: at(x)[0], start, method="COBYLA", constraints=constraints,
              options=dict(rhobeg=FIRST_STEP, tol=tolerance, maxiter=points, catol=0))
+    if ended:
+        raise ended[0]
