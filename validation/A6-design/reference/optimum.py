@@ -26,7 +26,8 @@ SPIN, LIMIT = 6.2832e-5, 6e-3
 
 
 def integrals():
-    path = os.path.join(HERE, "../../S7-helix/reference/boundary_integral.py")
+    root = os.environ.get("FSBI_DIR") or os.path.join(HERE, "../../..")
+    path = os.path.join(root, "validation/S7-helix/reference/boundary_integral.py")
     spec = importlib.util.spec_from_file_location("boundary_integral", path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
