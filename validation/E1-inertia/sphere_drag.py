@@ -65,8 +65,13 @@ class Flow:
         u, p = ufl.split(self.state)
         v, q = ufl.TestFunctions(self.space)
         r = ufl.SpatialCoordinate(domain)[1]
-        div = lambda w: ufl.div(w) + w[1] / r
-        strain = lambda w: ufl.sym(ufl.grad(w))
+
+        def div(w):
+            return ufl.div(w) + w[1] / r
+
+        def strain(w):
+            return ufl.sym(ufl.grad(w))
+
         self.rows = (
             2 * self.mu * (ufl.inner(strain(u), strain(v)) + u[1] * v[1] / r**2)
             + ufl.dot(ufl.dot(ufl.grad(u), u), v) - p * div(v) - q * div(u) - 1e-9 * p * q
@@ -75,11 +80,17 @@ class Flow:
         self.uniform = fem.Function(velocity)
         self.uniform.interpolate(lambda x: np.vstack([np.ones_like(x[0]), 0 * x[0]]))
         still = fem.Function(velocity)
-        near = lambda x: np.hypot(x[0], x[1]) < 1.001
-        outer = lambda x: (
-            np.isclose(x[0], -BEFORE) | np.isclose(x[0], BEHIND) | np.isclose(x[1], WIDE)
-        )
-        at = lambda where: fem.locate_dofs_geometrical((self.space.sub(0), velocity), where)
+
+        def near(x):
+            return np.hypot(x[0], x[1]) < 1.001
+
+        def outer(x):
+            ends = np.isclose(x[0], -BEFORE) | np.isclose(x[0], BEHIND)
+            return ends | np.isclose(x[1], WIDE)
+
+        def at(where):
+            return fem.locate_dofs_geometrical((self.space.sub(0), velocity), where)
+
         radial, _ = self.space.sub(0).sub(1).collapse()
         axis = fem.locate_dofs_geometrical(
             (self.space.sub(0).sub(1), radial), lambda x: np.isclose(x[1], 0)
