@@ -58,7 +58,9 @@ class Flow:
 
     def __init__(self, domain):
         cell = domain.ufl_cell()
-        element = ufl.MixedElement(ufl.VectorElement("CG", cell, 2), ufl.FiniteElement("CG", cell, 1))
+        element = ufl.MixedElement(
+            ufl.VectorElement("CG", cell, 2), ufl.FiniteElement("CG", cell, 1)
+        )
         self.space = fem.FunctionSpace(domain, element)
         self.mu = fem.Constant(domain, PETSc.ScalarType(1))
         self.state = fem.Function(self.space)
