@@ -34,7 +34,7 @@ Foam::fsbi::secondOrderStokes::secondOrderStokes
 void Foam::fsbi::secondOrderStokes::update()
 {
     stencil_.update();
-    setStabilisation();
+    setDiagonal();
     setGeometry();
 }
 
@@ -254,6 +254,28 @@ void Foam::fsbi::secondOrderStokes::addWarp(scalar* r) const
 }
 
 
+void Foam::fsbi::secondOrderStokes::setFlow
+(
+    const scalar* x, const boundaryValues& b
+) const
+{
+    setVertexValues(x, b);
+    setGradients(b);
+}
+
+
+void Foam::fsbi::secondOrderStokes::addFaces
+(
+    const boundaryValues& b, scalar* r, vectorField& traction
+) const
+{
+    std::fill_n(r, 4*mesh_.nCells(), scalar(0));
+    schemes_.linearFaces ? addInnerFaces<true>(r) : addInnerFaces<false>(r);
+    addWarp(r);
+    addBoundaryFaces(b, r, traction);
+}
+
+
 void Foam::fsbi::secondOrderStokes::residual
 (
     const scalar* x,
@@ -263,12 +285,8 @@ void Foam::fsbi::secondOrderStokes::residual
     vectorField& traction
 ) const
 {
-    std::fill_n(r, 4*mesh_.nCells(), scalar(0));
-    setVertexValues(x, b);
-    setGradients(b);
-    schemes_.linearFaces ? addInnerFaces<true>(r) : addInnerFaces<false>(r);
-    addWarp(r);
-    addBoundaryFaces(b, r, traction);
+    setFlow(x, b);
+    addFaces(b, r, traction);
 }
 
 

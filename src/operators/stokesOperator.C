@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fourthOrderStokes.H"
-#include "secondOrderStokes.H"
+#include "generalisedNewtonian.H"
 #include "syncTools.H"
 
 const Foam::point Foam::fsbi::boundaryValues::nowhere
@@ -17,9 +17,6 @@ namespace Foam
 {
 namespace fsbi
 {
-
-//- Of the pressure stabilisation: larger is smoother, and less local
-static const scalar stabilisationScale = 1;
 
 //- Of a fluid with inertia: the stabilisation over that of inertia alone, at
 //  most. A larger one costs iterations in short steps; at 1 it would fall with
@@ -50,18 +47,26 @@ Foam::fsbi::stokesOperator::stokesOperator
     velocityGiven_(velocityGiven)
 {
     setWallVertices();
-    setStabilisation();
+    setDiagonal();
 }
 
 
 Foam::autoPtr<Foam::fsbi::stokesOperator> Foam::fsbi::stokesOperator::New
 (
     const fvMesh& mesh,
-    const scalar mu,
+    const viscosityLaw& law,
     const boolList& velocityGiven,
     const schemes& s
 )
 {
+    if (!law.constant())
+    {
+        return autoPtr<stokesOperator>
+        (
+            new generalisedNewtonian(mesh, law, velocityGiven, s)
+        );
+    }
+    const scalar mu = law.viscosity(0);
     if (s.order == 4)
     {
         return autoPtr<stokesOperator>
@@ -137,11 +142,11 @@ Foam::scalar Foam::fsbi::stokesOperator::wallCoeff(const label i) const
         mesh_.faceCentres()[facei]
       - mesh_.cellCentres()[mesh_.faceOwner()[facei]]
     );
-    return mu_*magSqr(S)/(S & db);
+    return viscosity(mesh_.faceOwner()[facei])*magSqr(S)/(S & db);
 }
 
 
-void Foam::fsbi::stokesOperator::setStabilisation()
+void Foam::fsbi::stokesOperator::setDiagonal() const
 {
     const vectorField& S = stencil_.area();
     scalarField diagonal(mesh_.nCells() + stencil_.halo().size(), Zero);
@@ -151,8 +156,11 @@ void Foam::fsbi::stokesOperator::setStabilisation()
         (
             S[i], stencil_.fromOwner()[i], stencil_.fromNeighbour()[i]
         );
-        diagonal[stencil_.owner()[i]] += mu_*face.compact();
-        diagonal[stencil_.neighbour()[i]] += mu_*face.compact();
+        const label P = stencil_.owner()[i];
+        const label N = stencil_.neighbour()[i];
+        const scalar link = 0.5*(viscosity(P) + viscosity(N))*face.compact();
+        diagonal[P] += link;
+        diagonal[N] += link;
     }
     forAll(velocityGiven_, i)
     {
@@ -163,11 +171,19 @@ void Foam::fsbi::stokesOperator::setStabilisation()
         }
     }
     diagonal_ = SubList<scalar>(diagonal, mesh_.nCells());
-    stabilisation_.setSize(diagonal.size());
-    forAll(mesh_.cellVolumes(), celli)
+    setStabilisation();
+}
+
+
+void Foam::fsbi::stokesOperator::setStabilisation() const
+{
+    stabilisation_.setSize(mesh_.nCells() + stencil_.halo().size());
+    forAll(diagonal_, celli)
     {
+        const scalar inertia =
+            massRate_.size() ? massRate_[celli]/stiffest : 0;
         stabilisation_[celli] =
-            stabilisationScale*mesh_.cellVolumes()[celli]/diagonal[celli];
+            mesh_.cellVolumes()[celli]/(diagonal_[celli] + inertia);
     }
     stencil_.halo().fill(stabilisation_.data(), 1);
 }
@@ -178,13 +194,17 @@ void Foam::fsbi::stokesOperator::limitStabilisation
     const scalarField& massRate
 )
 {
-    forAll(massRate, celli)
-    {
-        stabilisation_[celli] =
-            mesh_.cellVolumes()[celli]
-           /(diagonal_[celli] + massRate[celli]/stiffest);
-    }
-    stencil_.halo().fill(stabilisation_.data(), 1);
+    massRate_ = massRate;
+    setStabilisation();
+}
+
+
+Foam::scalarField Foam::fsbi::stokesOperator::viscosities() const
+{
+    return
+        viscosity_.empty()
+      ? scalarField(mesh_.nCells(), mu_)
+      : scalarField(SubList<scalar>(viscosity_, mesh_.nCells()));
 }
 
 

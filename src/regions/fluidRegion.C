@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fluidRegion.H"
+#include "viscosityLaw.H"
 #include "bodyCoupling.H"
 #include "loadCoupling.H"
 #include "tractionCondition.H"
@@ -43,7 +44,7 @@ Foam::fsbi::fluidRegion::fluidRegion
     (
         new momentumEquation
         (
-            mesh(), material_.get<scalar>("viscosity"),
+            mesh(), viscosityLaw::New(checkedDictionary(material_)),
             momentumTerm::all(mesh(), material_)
         )
     );
@@ -74,8 +75,7 @@ Foam::dictionary Foam::fsbi::fluidRegion::readMaterial
     );
     const checkedDictionary entries(material);
     entries.found("FoamFile");
-    entries.choice("type", {"Newtonian"});
-    entries.positive("viscosity");
+    viscosityLaw::New(entries);
     for (const word& term : momentumTerm::names())
     {
         entries.found(term);

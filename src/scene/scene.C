@@ -373,10 +373,7 @@ Foam::scalar Foam::fsbi::scene::timeToContact
         fluid_
       ? fsbi::timeToContact
         (
-            {
-                time_, bodies_.immersed, fluid_->walls(),
-                fluid_->stokes().mu()
-            },
+            {time_, bodies_.immersed, fluid_->walls()},
             fluid_->meshing().cutSurfaces(), reach, names
         )
       : GREAT;

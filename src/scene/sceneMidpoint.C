@@ -18,6 +18,7 @@ void Foam::fsbi::scene::checkFluctuations() const
     {
         return;
     }
+    checkResistance(fluid_->momentum(), "Random forces of constant/effects");
     for (const momentumTerm& term : fluid_->momentum().terms())
     {
         if (term.remembers())

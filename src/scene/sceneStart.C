@@ -120,8 +120,8 @@ void Foam::fsbi::scene::createEffects(const dictionary& saved)
         new effectList
         (
             {
-                time_, bodies_.immersed, fluid_->walls(),
-                fluid_->stokes().mu(), fluid_->unseen(), gravities()
+                time_, bodies_.immersed, fluid_->walls(), fluid_->unseen(),
+                gravities()
             },
             triangles, timings_, saved
         )

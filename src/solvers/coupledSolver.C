@@ -224,6 +224,7 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
         newton_->renewPreconditioner();
     }
     scalarList x(system_->packed(cells));
+    system_->scaleAt(x);
     if (first)
     {
         const systemLayout& layout = system_->layout();

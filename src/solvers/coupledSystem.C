@@ -61,6 +61,17 @@ bool Foam::fsbi::coupledSystem::set(const flowProblem& problem)
 }
 
 
+void Foam::fsbi::coupledSystem::scaleAt(const scalarList& x)
+{
+    if (momentum_.viscous().varies())
+    {
+        scalarList rows(x.size());
+        residual(x.cdata(), rows.begin());
+        scales_ = rowScales(momentum_, *bodies_, elastic_);
+    }
+}
+
+
 bool Foam::fsbi::coupledSystem::setSprings()
 {
     scalar rate = 0, springs = 0;

@@ -24,7 +24,8 @@ Foam::fsbi::draggedPressure::draggedPressure
     const scalar slowest = sqr(constant::mathematical::pi/mag(mesh.bounds().span()));
     // where terms leave cells without a rate, viscosity alone counts, which has
     // one on every scale
-    const scalarField rate(max(drag, stokes_.mu()*slowest));
+    const scalarField mu(stokes_.viscosities());
+    const scalarField rate(max(drag, slowest*mu));
     perRate_ = 1/rate;
     if (massFlux.size())
     {
@@ -47,7 +48,7 @@ Foam::fsbi::draggedPressure::draggedPressure
     compactEntries smooth;
     addLaplacian
     (
-        stokes_.stencil(), 1.5*stokes_.mu()*rate*D*stabilisation, rows, smooth
+        stokes_.stencil(), 1.5*mu*rate*D*stabilisation, rows, smooth
     );
     for (label i = 0; i < n; ++i)
     {
@@ -81,7 +82,8 @@ void Foam::fsbi::draggedPressure::addOpenPatches
             const label row = rows.toGlobal(P);
             entries.add
             (
-                row, row, coefficient[P]*stokes_.wallCoeff(i)/stokes_.mu()
+                row, row,
+                coefficient[P]*stokes_.wallCoeff(i)/stokes_.viscosity(P)
             );
         }
     }
@@ -91,7 +93,6 @@ void Foam::fsbi::draggedPressure::addOpenPatches
 void Foam::fsbi::draggedPressure::apply(scalarList& pressure) const
 {
     const scalarField& V = stokes_.stencil().mesh().cellVolumes();
-    const scalar mu = stokes_.mu();
     forAll(work_, i)
     {
         pressure[i] *= V[i];
@@ -99,7 +100,7 @@ void Foam::fsbi::draggedPressure::apply(scalarList& pressure) const
     solveComponent(smootherCycle_, source_, solution_, 1, pressure.data());
     forAll(work_, i)
     {
-        work_[i] = V[i]/mu*pressure[i];
+        work_[i] = V[i]/stokes_.viscosity(i)*pressure[i];
     }
     solveComponent(laplacianCycle_, source_, solution_, 1, work_.data());
     forAll(work_, i)

@@ -25,7 +25,8 @@ Foam::autoPtr<Foam::fsbi::fluidSolver> Foam::fsbi::fluidSolver::New
         if (!momentum.linear())
         {
             FatalIOErrorInFunction(dict)
-                << "Convection (inertia in constant/fluid/material) needs method"
+                << "A flow that is not linear in the velocity, by convection or by"
+                << " the viscosity (constant/fluid/material), needs method"
                 << " 'coupled' in 'coupling' of system/fluid/fvSolution"
                 << exit(FatalIOError);
         }

@@ -80,7 +80,7 @@ Foam::scalarField Foam::fsbi::gapDrag(const stokesOperator& stokes)
     {
         const scalar d =
             widthOf(mesh.cellPoints()[celli], mesh.points(), normal);
-        drag[celli] = d > 0 ? 12*stokes.mu()/sqr(d) : 0;
+        drag[celli] = d > 0 ? 12*stokes.viscosity(celli)/sqr(d) : 0;
     }
     return drag;
 }

@@ -43,14 +43,14 @@ Foam::fsbi::shapeDerivative::shapeDerivative
     forAll(corners_, i)
     {
         const label facei = body_.fluid.faces[i];
-        const tensor& grad =
-            cells[mesh.faceOwner()[mesh.nInternalFaces() + facei]];
+        const label P = mesh.faceOwner()[mesh.nInternalFaces() + facei];
+        const tensor& grad = cells[P];
         faceGradients_[i] = grad;
         for (const label number : corners_[i])
         {
             gradients_[number] += grad;
             stresses_[number] +=
-                2*stokes_.mu()*symm(grad) - p[facei]*symmTensor::I;
+                2*stokes_.viscosity(P)*symm(grad) - p[facei]*symmTensor::I;
             shares[number] += 1;
         }
     }

@@ -79,11 +79,7 @@ void Foam::fsbi::stokesPreconditioner::addFluid
     const globalIndex& rows, compactEntries& entries
 ) const
 {
-    addLaplacian
-    (
-        stokes_.stencil(), scalarField(mesh_.nCells(), stokes_.mu()), rows,
-        entries
-    );
+    addLaplacian(stokes_.stencil(), stokes_.viscosities(), rows, entries);
     forAll(stokes_.velocityGiven(), i)
     {
         if (stokes_.velocityGiven()[i])
@@ -217,7 +213,7 @@ void Foam::fsbi::stokesPreconditioner::apply
 
     for (label i = 0; i < n; ++i)
     {
-        pressure_[i] = stokes_.mu()/V[i]*r[4*i + 3];
+        pressure_[i] = stokes_.viscosity(i)/V[i]*r[4*i + 3];
     }
     if (dragged_)
     {

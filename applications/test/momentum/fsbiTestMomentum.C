@@ -8,7 +8,7 @@ Application
 Description
     Checks of the terms of the fluid's momentum equation: inertia on moving
     meshes and against exact unsteady Stokes flow, its preconditioner at every
-    step, the transfer to another mesh, convection, forces per volume.
+    step, the transfer to another mesh, convection, laws of viscosity, forces per volume.
 
 \*---------------------------------------------------------------------------*/
 
@@ -440,6 +440,7 @@ int main(int argc, char *argv[])
     checkPressure(c);
     checkOutside(c);
     checkConvection(c);
+    checkViscosity(c);
     checkWrong(c);
     checkMethods(c);
     checkIterations(c);

@@ -245,6 +245,20 @@ def test_in_the_layer_and_above_with_second_order(porous_errors):
         assert convergence.orders(h, error)[-1] > 1.8
 
 
+# A law of viscosity
+
+def test_casson_fluid_flows_between_plates_by_the_closed_form():
+    """Mean velocity (Casson 1959), tau the stress at the wall and its share that is yield."""
+    tau, share = DRIVE * TOP / 2, 1.5 / (DRIVE * TOP / 2)
+    exact = tau * TOP / 2 / (3 * MU) * (
+        1 - 12 / 5 * np.sqrt(share) + 3 / 2 * share - share**3 / 10)
+    means = [fields.internal(f"casson{n}/1/fluid/U")[:, 0].mean() for n in (16, 32)]
+    # bound: the smallest rate of 1e-3 lets the plug flow, by 1e-3 of a velocity of 0.5; where
+    # it ends the viscosity jumps, in one of n/2 cells, of second order
+    assert abs(means[1] / exact - 1) < 2e-3 + 4 / 32**2
+    assert abs(means[1] / exact - 1) < abs(means[0] / exact - 1)
+
+
 # A preconditioner changes how many iterations a solution takes, not the solution
 
 def test_body_moves_the_same_with_another_preconditioner():

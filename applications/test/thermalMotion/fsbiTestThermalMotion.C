@@ -62,7 +62,7 @@ public:
         {
             bodies_.append(&body);
         }
-        context_.reset(new effectContext{clock_(), bodies_, {}, 1});
+        context_.reset(new effectContext{clock_(), bodies_, {}});
     }
 
     Time& clock() { return clock_(); }

@@ -109,6 +109,7 @@ static resistance resistanceAt
     (
         time, caseInput::fluid, bodies, immersed, clocks, dictionary::null
     );
+    checkResistance(fluid.momentum(), "Fields of fsbiFieldDesign");
     return resistanceOf(6, [&](const scalarField& motion)
     {
         const untrapped scope;

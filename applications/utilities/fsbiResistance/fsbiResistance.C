@@ -254,6 +254,7 @@ int main(int argc, char *argv[])
         return 0;
     }
 
+    checkResistance(scene.fluid().momentum(), "The matrices of fsbiResistance");
     const label n = 6*scene.bodies().rigid.size();
     const fsbi::resistance found
     (

@@ -144,7 +144,7 @@ void Foam::fsbi::fourthOrderStokes::setFaceMoments()
 void Foam::fsbi::fourthOrderStokes::update()
 {
     stencil_.update();
-    setStabilisation();
+    setDiagonal();
     fits_.update();
     wallPoints_ = fits_.wall().ownPoints();
     setFaceMoments();

@@ -30,7 +30,13 @@ static scalarField links(const stokesOperator& viscous)
             stencil.area()[i], stencil.fromOwner()[i],
             stencil.fromNeighbour()[i]
         );
-        result[faces[i]] = viscous.mu()*face.compact();
+        result[faces[i]] =
+            0.5
+           *(
+                viscous.viscosity(stencil.owner()[i])
+              + viscous.viscosity(stencil.neighbour()[i])
+            )
+           *face.compact();
     }
     return result;
 }

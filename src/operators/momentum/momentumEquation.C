@@ -4,15 +4,18 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "momentumEquation.H"
+#include "Newtonian.H"
 #include <algorithm>
 
 Foam::fsbi::momentumEquation::momentumEquation
 (
-    const fvMesh& mesh, const scalar mu, PtrList<momentumTerm>&& terms
+    const fvMesh& mesh,
+    autoPtr<viscosityLaw>&& law,
+    PtrList<momentumTerm>&& terms
 )
 :
     mesh_(mesh),
-    mu_(mu),
+    law_(std::move(law)),
     terms_(std::move(terms))
 {}
 
@@ -25,10 +28,16 @@ Foam::fsbi::momentumEquation::momentumEquation
     const stokesOperator::schemes& s
 )
 :
-    momentumEquation(mesh, mu, PtrList<momentumTerm>())
+    momentumEquation
+    (
+        mesh, autoPtr<viscosityLaw>(new Newtonian(mu)), PtrList<momentumTerm>()
+    )
 {
     set(velocityGiven, s);
 }
+
+
+Foam::fsbi::momentumEquation::~momentumEquation() = default;
 
 
 void Foam::fsbi::momentumEquation::set
@@ -36,7 +45,7 @@ void Foam::fsbi::momentumEquation::set
     const boolList& velocityGiven, const stokesOperator::schemes& s
 )
 {
-    viscous_ = stokesOperator::New(mesh_, mu_, velocityGiven, s);
+    viscous_ = stokesOperator::New(mesh_, law_(), velocityGiven, s);
     for (momentumTerm& term : terms_)
     {
         term.renew();
@@ -87,7 +96,7 @@ void Foam::fsbi::momentumEquation::update()
 
 bool Foam::fsbi::momentumEquation::linear() const
 {
-    return std::all_of
+    return law_->constant() && std::all_of
     (
         terms_.begin(), terms_.end(),
         [](const momentumTerm& term) { return term.linear(); }
@@ -97,14 +106,14 @@ bool Foam::fsbi::momentumEquation::linear() const
 
 Foam::scalarField Foam::fsbi::momentumEquation::massFlux() const
 {
-    if (linear())
-    {
-        return scalarField();
-    }
-    scalarField flux(mesh_.nFaces(), Zero);
+    scalarField flux;
     for (const momentumTerm& term : terms_)
     {
-        term.addMassFlux(flux);
+        if (!term.linear())
+        {
+            flux.setSize(mesh_.nFaces(), 0);
+            term.addMassFlux(flux);
+        }
     }
     return flux;
 }
@@ -132,6 +141,7 @@ void Foam::fsbi::momentumEquation::setForce() const
 
 void Foam::fsbi::momentumEquation::applyInCells
 (
+    const bool derivative,
     const scalar* x,
     const boundaryValues& given,
     scalar* r,
@@ -142,7 +152,9 @@ void Foam::fsbi::momentumEquation::applyInCells
     {
         setForce();
     }
-    viscous_->residual(x, given, force_, r, traction);
+    derivative
+  ? viscous_->applyDerivative(x, given, force_, r, traction)
+  : viscous_->residual(x, given, force_, r, traction);
     forAll(rows_, i)
     {
         r[i] += rows_[i];
@@ -163,7 +175,7 @@ void Foam::fsbi::momentumEquation::residual
     {
         term.addResidual(x, rows_.data());
     }
-    applyInCells(x, given, r, traction);
+    applyInCells(false, x, given, r, traction);
     for (const momentumTerm& term : terms_)
     {
         term.addFluxes(viscous_(), given, r);
@@ -184,7 +196,7 @@ void Foam::fsbi::momentumEquation::applyJacobian
     {
         term.addJacobian(dx, rows_.data());
     }
-    applyInCells(dx, dgiven, dr, dtraction);
+    applyInCells(true, dx, dgiven, dr, dtraction);
     for (const momentumTerm& term : terms_)
     {
         term.addFluxChanges(viscous_(), dgiven, dr);
