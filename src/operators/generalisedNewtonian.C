@@ -110,15 +110,15 @@ void Foam::fsbi::generalisedNewtonian::setViscosities() const
 {
     const scalarField& V = mesh_.cellVolumes();
     viscosity_.setSize(V.size() + stencil_.halo().size());
-    scalar sum = 0;
+    mu_ = GREAT;
     forAll(V, celli)
     {
         viscosity_[celli] =
             law_.viscosity(2*magSqr(symm(cellGradient(celli))));
-        sum += V[celli]*viscosity_[celli];
+        mu_ = min(mu_, viscosity_[celli]);
     }
     stencil_.halo().fill(viscosity_.data(), 1);
-    mu_ = returnReduce(sum, sumOp<scalar>())/gSum(V);
+    reduce(mu_, minOp<scalar>());
     setDiagonal();
 }
 

@@ -142,7 +142,8 @@ bool Foam::fsbi::NewtonKrylov::correct
     );
     if (outcome.iterations < 0)
     {
-        report.failure = "the body has lost its stiffness";
+        report.failure =
+            "the linear equations broke down: a body may have lost its stiffness";
         return false;
     }
     report.iterations += outcome.iterations;

@@ -18,6 +18,9 @@ static const scalar worthwhile = 10;
 //  does not converge
 static const label maxCorrections = 15;
 
+//- Of a correction of a flow that makes its residual larger
+static const label maxHalvings = 6;
+
 //- Residual at rest over that where springs were evaluated beyond which the first
 //  says nothing but how far a body has gone: springs as stiff as contact's would
 //  pull it back with many times the loads
@@ -144,6 +147,21 @@ void Foam::fsbi::coupledSolver::takeSecants
 }
 
 
+void Foam::fsbi::coupledSolver::shorten
+(
+    const scalarList& before, const scalar norm, scalarList& x
+)
+{
+    for (label h = 0; h < maxHalvings && !(evaluate(x) < norm); ++h)
+    {
+        forAll(x, i)
+        {
+            x[i] = 0.5*(before[i] + x[i]);
+        }
+    }
+}
+
+
 Foam::fsbi::solverReport Foam::fsbi::coupledSolver::improve
 (
     const bool first, scalarList& x
@@ -177,6 +195,10 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::improve
     else
     {
         takeSecants(before, x);
+        if (withoutElastic())
+        {
+            shorten(before, norm, x);
+        }
         report.last = system_->largestChange(before, x);
     }
     return report;

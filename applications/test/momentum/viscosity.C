@@ -20,7 +20,8 @@ static const std::string blood
 
 static autoPtr<viscosityLaw> lawOf(const std::string& entries)
 {
-    const dictionary dict(IStringStream(entries)());
+    IStringStream is(entries);
+    const dictionary dict(is);
     const checkedDictionary checked(dict);
     autoPtr<viscosityLaw> law(viscosityLaw::New(checked));
     checked.finish();
