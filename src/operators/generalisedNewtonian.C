@@ -39,7 +39,7 @@ Foam::tensor Foam::fsbi::generalisedNewtonian::cellGradient
 }
 
 
-Foam::tensor Foam::fsbi::generalisedNewtonian::innerGradient
+Foam::vector Foam::fsbi::generalisedNewtonian::innerPull
 (
     const label i
 ) const
@@ -49,11 +49,26 @@ Foam::tensor Foam::fsbi::generalisedNewtonian::innerGradient
     const scalar* xN = values_.cdata() + 4*stencil_.neighbour()[i];
     const scalar* gP = gradients_.cdata() + 12*stencil_.owner()[i];
     const scalar* gN = gradients_.cdata() + 12*stencil_.neighbour()[i];
-    return tensor
+    const tensor H
     (
         face.gradient(xP[0], xN[0], gP, gN),
         face.gradient(xP[1], xN[1], gP + 3, gN + 3),
         face.gradient(xP[2], xN[2], gP + 6, gN + 6)
+    );
+    return 2*symm(H) & stencil_.area()[i];
+}
+
+
+Foam::symmTensor Foam::fsbi::generalisedNewtonian::innerRate
+(
+    const label i
+) const
+{
+    const scalar w = faceOf(i).weight();
+    return symm
+    (
+        w*cellGradient(stencil_.owner()[i])
+      + (1 - w)*cellGradient(stencil_.neighbour()[i])
     );
 }
 
@@ -126,10 +141,9 @@ void Foam::fsbi::generalisedNewtonian::setViscosities() const
 Foam::fsbi::generalisedNewtonian::sheared
 Foam::fsbi::generalisedNewtonian::shearedBy
 (
-    const tensor& H, const vector& pull
+    const symmTensor& D, const vector& pull
 ) const
 {
-    const symmTensor D(symm(H));
     const scalar rateSqr = 2*magSqr(D);
     return
     {
@@ -145,13 +159,12 @@ void Foam::fsbi::generalisedNewtonian::setSheared
 {
     forAll(inner_, i)
     {
-        const tensor H(innerGradient(i));
-        inner_[i] = shearedBy(H, 2*symm(H) & stencil_.area()[i]);
+        inner_[i] = shearedBy(innerRate(i), innerPull(i));
     }
     forBoundary([&](const label i)
     {
         const tensor H(boundaryGradient(i, b.faces[i]));
-        boundary_[i] = shearedBy(H, boundaryPull(i, H));
+        boundary_[i] = shearedBy(symm(H), boundaryPull(i, H));
     });
 }
 
@@ -238,25 +251,21 @@ void Foam::fsbi::generalisedNewtonian::applyDerivative
     addFaces(b, r, traction);
     const auto change = []
     (
-        const sheared& at, const tensor& dH, const vector& dPull
+        const sheared& at, const symmTensor& dD, const vector& dPull
     )
     {
-        return at.beyond*dPull + (at.slope && symm(dH))*at.pull;
+        return at.beyond*dPull + (at.slope && dD)*at.pull;
     };
     forAll(inner_, i)
     {
-        const tensor dH(innerGradient(i));
-        addInner
-        (
-            i, change(inner_[i], dH, 2*symm(dH) & stencil_.area()[i]), r
-        );
+        addInner(i, change(inner_[i], innerRate(i), innerPull(i)), r);
     }
     forBoundary([&](const label i)
     {
         const tensor dH(boundaryGradient(i, b.faces[i]));
         addBoundary
         (
-            i, change(boundary_[i], dH, boundaryPull(i, dH)), r, traction
+            i, change(boundary_[i], symm(dH), boundaryPull(i, dH)), r, traction
         );
     });
 }
