@@ -14,9 +14,9 @@ namespace fsbi
 //  less than the iterations that it saves
 static const scalar worthwhile = 10;
 
-//- Newton's corrections of a flow with convection before it is taken for one that
-//  does not converge
-static const label maxCorrections = 15;
+//- Newton's corrections of a flow with convection or a viscosity that depends on
+//  it before it is taken for one that does not converge
+static const label maxCorrections = 25;
 
 //- Of a correction of a flow that makes its residual larger
 static const label maxHalvings = 6;
