@@ -22,7 +22,6 @@ import ufl
 from dolfinx import fem
 from dolfinx.io import gmshio
 from mpi4py import MPI
-from petsc4py import PETSc
 
 # radius, half length, growth of edges
 TUBES = {"narrow": (2, 6, 0.03), "wide": (100, 100, 0.1)}
