@@ -379,7 +379,7 @@ Foam::fsbi::flowProblem Foam::fsbi::fluidRegion::problem
         rows[b].vertices = bodyVertices_[b];
     }
     conditions_.evaluate(U_(), stokes(), given_);
-    return {given_, rows, elastic, acting_};
+    return {given_, rows, elastic, acting_, still_};
 }
 
 

@@ -191,10 +191,17 @@ bool Foam::fsbi::solidRegion::follow()
 
 Foam::fsbi::outcome Foam::fsbi::solidRegion::finish
 (
-    const vectorField& fluid, const vectorField& effects
+    const vectorField& fluid,
+    const vectorField& effects,
+    const vectorField& cells
 )
 {
     fluidForce_ = gSum(fluid);
+    if (cells.size())
+    {
+        rows_.acting =
+            rows_.acting.size() ? vectorField(rows_.acting + cells) : cells;
+    }
     conditions_->addForce(fluid + effects);
     return take();
 }

@@ -109,6 +109,34 @@ Foam::tmp<Foam::vectorField> Foam::fsbi::elasticOperator::boundaryForce() const
 }
 
 
+void Foam::fsbi::elasticOperator::shareForces
+(
+    const vectorField& onVertices, vectorField&, vectorField& faces
+) const
+{
+    scalarField number(mesh_.nPoints(), Zero);
+    const auto corners = [&](const label b) -> const face&
+    {
+        return mesh_.faces()[mesh_.nInternalFaces() + b];
+    };
+    for (const label b : stencil_.ghostFaces())
+    {
+        for (const label v : corners(b))
+        {
+            number[v] += 1;
+        }
+    }
+    sharedVertices::sum<1>(mesh_, number.begin(), stencil_.halo().size());
+    for (const label b : stencil_.ghostFaces())
+    {
+        for (const label v : corners(b))
+        {
+            faces[b] += onVertices[v]/number[v];
+        }
+    }
+}
+
+
 void Foam::fsbi::elasticOperator::endStep()
 {
     state_.endStep();
