@@ -223,7 +223,8 @@ Foam::fsbi::outcome Foam::fsbi::fluidRegion::follow()
             error_.release();
             U_.clear();
             p_.clear();
-        }
+        },
+        still_
     );
     auto timer = timings_.measure("assembly");
     if (followed && mesh_.generation() == generation)

@@ -371,12 +371,16 @@ void Foam::fsbi::solidRegion::endStep()
 {
     motion_->endStep(fields_->D(), forces_);
     increment_ = x_ - oldX_;
+    if (stopped_)
+    {
+        increment_ = 0;
+    }
     oldStep_ = time_.deltaTValue();
     balance_.add(working());
     measures_.work = balance_.work();
     if (wetted_)
     {
-        wetted_->endStep();
+        wetted_->endStep(stopped_);
     }
     elastic_->endStep();
     if (moves())

@@ -273,10 +273,15 @@ Foam::scalar Foam::fsbi::coupledSystem::normOfEffects() const
     traction_ = Zero;
     const loads::onBodies load(effects_->acting().forces());
     addSurfaceForces(load, r.begin());
-    finishRows
-    (
-        bodyForces(load), vectorField(elastic_.size(), Zero), r.begin()
-    );
+    List<sixVector> forces(bodyForces(load));
+    forAll(forces, b)
+    {
+        forAll(forces[b], k)
+        {
+            forces[b][k] *= (*bodies_)[b].free[k];
+        }
+    }
+    finishRows(forces, vectorField(elastic_.size(), Zero), r.begin());
     return norm(r);
 }
 

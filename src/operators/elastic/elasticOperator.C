@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fourthOrderElastic.H"
 #include "secondOrderElastic.H"
+#include "sharedVertices.H"
 #include "syncTools.H"
 
 Foam::fsbi::elasticOperator::elasticOperator
