@@ -9,14 +9,30 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Foam::fsbi::loads::loads(const List<List<triFace>>& triangles)
 :
     triangles_(triangles),
+    nPoints_(triangles.size(), Zero),
     force_(triangles.size(), sixVector(scalar(0))),
     stiffness_(triangles.size(), sixMatrix(sixVector(scalar(0))))
 {}
 
 
+void Foam::fsbi::loads::countPoints(const site& s)
+{
+    if (s.body < 0 || !s.onCorners || nPoints_[s.body])
+    {
+        return;
+    }
+    for (const triFace& f : triangles_[s.body])
+    {
+        nPoints_[s.body] = max(nPoints_[s.body], 1 + max(f));
+    }
+}
+
+
 void Foam::fsbi::loads::add(const spring& s)
 {
     springs_.append(s);
+    countPoints(s.a);
+    countPoints(s.b);
 }
 
 
@@ -123,9 +139,11 @@ Foam::fsbi::loads::onBodies Foam::fsbi::loads::zero() const
     onBodies result;
     result.whole.setSize(triangles_.size(), sixVector(scalar(0)));
     result.triangles.setSize(triangles_.size());
+    result.points.setSize(triangles_.size());
     forAll(triangles_, b)
     {
         result.triangles[b] = vectorField(triangles_[b].size(), Zero);
+        result.points[b] = vectorField(nPoints_[b], Zero);
     }
     return result;
 }
@@ -174,6 +192,15 @@ void Foam::fsbi::loads::pull
 {
     if (s.body < 0)
     {
+        return;
+    }
+    if (triangles_[s.body].size() && s.onCorners)
+    {
+        const triFace& f = triangles_[s.body][s.triangle];
+        forAll(f, k)
+        {
+            sum.points[s.body][f[k]] += s.weights[k]*force;
+        }
         return;
     }
     if (triangles_[s.body].size())
@@ -226,6 +253,36 @@ Foam::fsbi::loads::onBodies Foam::fsbi::loads::changes
         );
         pull(s.a, force, sum);
         pull(s.b, -force, sum);
+    }
+    return sum;
+}
+
+
+Foam::scalar Foam::fsbi::loads::work
+(
+    const onBodies& f, const ofBodies& u
+) const
+{
+    scalar sum = 0;
+    forAll(triangles_, b)
+    {
+        forAll(f.whole[b], k)
+        {
+            sum += f.whole[b][k]*u.whole[b][k];
+        }
+        forAll(f.points[b], i)
+        {
+            sum += f.points[b][i] & u.points[b][i];
+        }
+        if (u.points[b].size())
+        {
+            forAll(f.triangles[b], i)
+            {
+                const triFace& t = triangles_[b][i];
+                const vectorField& d = u.points[b];
+                sum += (f.triangles[b][i] & (d[t[0]] + d[t[1]] + d[t[2]]))/3;
+            }
+        }
     }
     return sum;
 }

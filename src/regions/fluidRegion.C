@@ -223,7 +223,8 @@ Foam::fsbi::outcome Foam::fsbi::fluidRegion::follow()
             error_.release();
             U_.clear();
             p_.clear();
-        }
+        },
+        still_
     );
     auto timer = timings_.measure("assembly");
     if (followed && mesh_.generation() == generation)
@@ -379,7 +380,7 @@ Foam::fsbi::flowProblem Foam::fsbi::fluidRegion::problem
         rows[b].vertices = bodyVertices_[b];
     }
     conditions_.evaluate(U_(), stokes(), given_);
-    return {given_, rows, elastic, acting_};
+    return {given_, rows, elastic, acting_, still_};
 }
 
 

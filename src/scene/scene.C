@@ -30,6 +30,12 @@ static sixVector total
         force += pulls[i];
         torque += (x - centre) ^ pulls[i];
     }
+    const vectorField& onPoints = acted.points[bodyi];
+    forAll(onPoints, i)
+    {
+        force += onPoints[i];
+        torque += (surface.points()[i] - centre) ^ onPoints[i];
+    }
     return join(force, torque);
 }
 
@@ -218,7 +224,7 @@ void Foam::fsbi::scene::placeBodies()
             body.advance(time_.value(), time_.deltaTValue());
         }
     }
-    if (steep())
+    if (steep() && !coupling_)      // else surfacesApart does so
     {
         List<placement> before(bodies_.rigid.size());
         List<sixVector> ways(before.size());
@@ -303,6 +309,10 @@ void Foam::fsbi::scene::endStep()
         forAll(bodies_.rigid, b)
         {
             bodies_.rigid[b].stop(stopped[b]);
+        }
+        forAll(bodies_.elastic, e)
+        {
+            bodies_.elastic[e].stop(stopped[bodies_.rigid.size() + e]);
         }
     }
     for (const auto& participant : participants_)

@@ -51,6 +51,7 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
     if (fluid_ && bodies_.elastic.size())
     {
         coupling_ = couplingScheme::New(fluid_(), bodies_.elastic);
+        keepApart();
     }
     if (fluid_)
     {
@@ -122,6 +123,33 @@ void Foam::fsbi::scene::createEffects(const dictionary& saved)
         )
     );
     fluid_->setEffects(effects_());
+}
+
+
+void Foam::fsbi::scene::keepApart()
+{
+    if (!steep())
+    {
+        return;
+    }
+    if (coupling_->type() != "monolithic")
+    {
+        FatalErrorInFunction
+            << "Elastic bodies that an effect of constant/effects holds apart"
+            << " where they touch (contact) need the scheme 'monolithic' in"
+            << " 'coupling' of system/fluid/fvSolution" << exit(FatalError);
+    }
+    coupling_->hold
+    (
+        autoPtr<surfacesApart>
+        (
+            new surfacesApart
+            (
+                effects_(), bodies_.rigid, bodies_.elastic,
+                [this]{ return bodyRowsNow(); }
+            )
+        )
+    );
 }
 
 

@@ -138,7 +138,7 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::improve(scalarList& x)
     {
         return report;
     }
-    if (!system_->linear() && !lagged_ && report.residual < flows)
+    if (!system_->linear() && !still_ && report.residual < flows)
     {
         system_->followShapes();
     }
@@ -178,6 +178,7 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
 )
 {
     const bool stale = system_->set(problem);
+    still_ = lagged_ || problem.still;
     if (!newton_)
     {
         createNewton();
@@ -198,6 +199,12 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
                 whereEvaluated(problem, system_->layout(), rest)
             );
             scale_ = scale_ > farAway*there ? there : scale_;
+        }
+        if (problem.acting.onCorners())
+        {
+            // at rest on each other nothing but what presses bodies together
+            // says what is small
+            scale_ = max(scale_, system_->normOfEffects());
         }
         if (system_->linear() && scale_ < VSMALL)
         {

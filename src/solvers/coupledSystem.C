@@ -139,9 +139,20 @@ void Foam::fsbi::coupledSystem::addSurfaceForces
     {
         const elasticRows& body = *elastic_[e];
         vectorField force(body.surfaceForce(traction_));
+        const label bodyi = bodies_->size() + e;
         if (effects_)
         {
-            body.solid.addToFaces(load.triangles[bodies_->size() + e], force);
+            body.solid.addToFaces(load.triangles[bodyi], force);
+        }
+        if (effects_ && load.points[bodyi].size())
+        {
+            vectorField cells(body.volumes.size(), Zero);
+            body.addPointForces(load.points[bodyi], cells, force);
+            vector* row = layout_.displacement(e, r);
+            forAll(cells, i)
+            {
+                row[i] -= cells[i];
+            }
         }
         body.elastic->boundary().addLoad(force, r + layout_.elastic(e));
     }
@@ -253,6 +264,25 @@ void Foam::fsbi::coupledSystem::residual(const scalar* x, scalar* r) const
     (
         bodyDefects(*bodies_, now.velocities, bodyForces(load)), tethers, r
     );
+}
+
+
+Foam::scalar Foam::fsbi::coupledSystem::normOfEffects() const
+{
+    scalarList r(size(), Zero);
+    traction_ = Zero;
+    const loads::onBodies load(effects_->acting().forces());
+    addSurfaceForces(load, r.begin());
+    List<sixVector> forces(bodyForces(load));
+    forAll(forces, b)
+    {
+        forAll(forces[b], k)
+        {
+            forces[b][k] *= (*bodies_)[b].free[k];
+        }
+    }
+    finishRows(forces, vectorField(elastic_.size(), Zero), r.begin());
+    return norm(r);
 }
 
 

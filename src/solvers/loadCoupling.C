@@ -78,6 +78,7 @@ Foam::fsbi::loads::onBodies Foam::fsbi::loadCoupling::forces
             sum.whole[b][k] += change.whole[b][k];
         }
         sum.triangles[b] += change.triangles[b];
+        sum.points[b] += change.points[b];
     }
     return sum;
 }
