@@ -23,7 +23,10 @@ void Foam::fsbi::loads::countPoints(const site& s)
     }
     for (const triFace& f : triangles_[s.body])
     {
-        nPoints_[s.body] = max(nPoints_[s.body], 1 + max(f));
+        for (const label v : f)
+        {
+            nPoints_[s.body] = max(nPoints_[s.body], v + 1);
+        }
     }
 }
 

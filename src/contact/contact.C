@@ -186,7 +186,7 @@ void Foam::fsbi::contact::divide
         }
         if (areas_[body].size())
         {
-            f.area = areas_[body][triangle]/sqr(n);
+            f.area = areas_[body][triangle]/sqr(scalar(n));
         }
         else
         {

@@ -193,14 +193,9 @@ bool Foam::fsbi::surfacesApart::limit
     }
     forAll(solids_, e)
     {
-        u.points[rigid_.size() + e] = vectorField
-        (
-            SubField<vector>
-            (
-                vectorField(to.surfaces[e] - from_.surfaces[e])(),
-                solids_[e].rows().solid.nPoints
-            )
-        );
+        vectorField& moved = u.points[rigid_.size() + e];
+        moved = to.surfaces[e] - from_.surfaces[e];
+        moved.resize(solids_[e].rows().solid.nPoints);  // points are first
     }
     const auto place = wayBetween(from_, to, ways);
     const scalar clear = effects_.clearPart(place);
