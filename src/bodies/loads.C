@@ -120,6 +120,21 @@ bool Foam::fsbi::loads::stiff(const label bodyi) const
 }
 
 
+Foam::fsbi::loads Foam::fsbi::loads::others() const
+{
+    loads result(*this);
+    result.springs_.clear();
+    for (const spring& s : springs_)
+    {
+        if (!onCorners(s))
+        {
+            result.springs_.append(s);
+        }
+    }
+    return result;
+}
+
+
 bool Foam::fsbi::loads::onElastic() const
 {
     const auto elastic = [this](const site& s)
@@ -298,7 +313,7 @@ Foam::tensorField Foam::fsbi::loads::springStiffness(const label bodyi) const
     {
         for (const site* end : {&s.a, &s.b})
         {
-            if (end->body == bodyi)
+            if (end->body == bodyi && !onCorners(s))
             {
                 sum[end->triangle] += s.stiffness;
             }

@@ -46,6 +46,7 @@ bool Foam::fsbi::coupledSystem::set(const flowProblem& problem)
             stokes.stencil().mesh().nCells(), elastic_, problem.bodies.size()
         );
     effects_.clear();
+    corners_.clear();
     shapes_.clear();
     if (!problem.acting.empty())
     {
@@ -267,21 +268,45 @@ void Foam::fsbi::coupledSystem::residual(const scalar* x, scalar* r) const
 }
 
 
+void Foam::fsbi::coupledSystem::loadRows
+(
+    const loads::onBodies& load, scalar* r
+) const
+{
+    traction_ = Zero;
+    addSurfaceForces(load, r);
+    finishRows
+    (
+        bodyDefectChanges
+        (
+            *bodies_, List<sixVector>(bodies_->size(), sixVector(scalar(0))),
+            bodyForces(load)
+        ),
+        vectorField(elastic_.size(), Zero), r
+    );
+}
+
+
+Foam::fsbi::loads::ofBodies Foam::fsbi::coupledSystem::displacements
+(
+    const scalar* dx
+) const
+{
+    List<vectorField> points(elastic_.size());
+    forAll(elastic_, e)
+    {
+        scalarList rows(elastic_[e]->elastic->size());
+        elastic_[e]->applyJacobian(dx + layout_.elastic(e), rows.begin());
+        points[e] = elastic_[e]->surfaceIncrement().points;
+    }
+    return effects_->displacements(layout_.read(dx).velocities, points);
+}
+
+
 Foam::scalar Foam::fsbi::coupledSystem::normOfEffects() const
 {
     scalarList r(size(), Zero);
-    traction_ = Zero;
-    const loads::onBodies load(effects_->acting().forces());
-    addSurfaceForces(load, r.begin());
-    List<sixVector> forces(bodyForces(load));
-    forAll(forces, b)
-    {
-        forAll(forces[b], k)
-        {
-            forces[b][k] *= (*bodies_)[b].free[k];
-        }
-    }
-    finishRows(forces, vectorField(elastic_.size(), Zero), r.begin());
+    loadRows(effects_->acting().forces(), r.begin());
     return norm(r);
 }
 
@@ -366,6 +391,30 @@ void Foam::fsbi::coupledSystem::applyJacobian
 void Foam::fsbi::coupledSystem::precondition(const scalar* r, scalar* z) const
 {
     preconditioner_->apply(r, z);
+    if (!effects_ || !effects_->acting().onCorners())
+    {
+        return;
+    }
+    if (!corners_)
+    {
+        corners_.reset
+        (
+            new cornerSprings
+            (
+                effects_->acting(), size(),
+                [this](const loads::onBodies& load, scalar* rows)
+                {
+                    loadRows(load, rows);
+                },
+                [this](const scalar* dx) { return displacements(dx); },
+                [this](const scalar* rows, scalar* answer)
+                {
+                    preconditioner_->apply(rows, answer);
+                }
+            )
+        );
+    }
+    corners_->apply(z);
 }
 
 
@@ -377,4 +426,5 @@ void Foam::fsbi::coupledSystem::renewPreconditioner()
             coupledPreconditioner::New(preconditionerType_, *this);
     }
     preconditioner_->rebuild();
+    corners_.clear();
 }
