@@ -380,7 +380,10 @@ Foam::fsbi::flowProblem Foam::fsbi::fluidRegion::problem
         rows[b].vertices = bodyVertices_[b];
     }
     conditions_.evaluate(U_(), stokes(), given_);
-    return {given_, rows, elastic, acting_, still_};
+    return
+    {
+        given_, rows, elastic, acting_, still_, effects_ && effects_->steep()
+    };
 }
 
 
