@@ -22,15 +22,35 @@ def pushes(run):
     return contact["force"], contact["distance"]
 
 
-@pytest.mark.parametrize("run", ["soft20000", "soft2000000", "besideRigid", "twoSoft"])
+@pytest.mark.parametrize("run", ["soft20000", "soft2000000"])
 def test_contact_bears_the_load(run):
-    # bound: what is left of the way to rest, and loads that bodies are balanced to:
-    # 1e-3. Forces of asperities of a sphere do not all have the direction of their sum:
-    # by half the square of the zone's radius over the sphere's, which is below 0.4
+    # bound: what is left of the way to rest, and loads that bodies are balanced to
     force = pushes(run)[0][-1]
     print(run, force / LOAD)
-    tilted = 0 if run.startswith("soft") else 0.4**2 / 2
-    assert -1e-3 < force / LOAD - 1 < 1e-3 + tilted
+    assert abs(force / LOAD - 1) < 1e-3
+
+
+@pytest.mark.parametrize("run, axis", [("soft20000", 1), ("soft2000000", 1),
+                                       ("besideRigid", 0), ("twoSoft", 0)])
+def test_what_pushes_is_balanced_in_every_step(run, axis):
+    # contact, the fluid and the load; bound: rows are solved to 1e-6 of what presses,
+    # and a body has a thousand of them
+    h = history(run)
+    sum_ = sum(np.array(list(h[f"elasticBodies/cell/{x}"].array[:, 1 + axis]))
+               for x in ("force/effects", "fluidForce"))
+    print(run, np.abs(sum_ / LOAD - 1).max())
+    assert np.abs(sum_ / LOAD - 1).max() < 1e-3
+
+
+@pytest.mark.parametrize("run", ["besideRigid", "twoSoft"])
+def test_a_pair_comes_to_rest(run):
+    other = centre(run, "a")[:, 0] if run == "twoSoft" \
+        else history(run)["bodies/a/position"]["x"]
+    approach = -np.diff(centre(run)[:, 0] - other)
+    print(run, approach)
+    # bound: the fluid lets go within some 50 000 us, 6 pi mu R over E R and the
+    # lubrication, so that in 80 000 and more all but a tenth of the speed is gone
+    assert abs(approach[-1]) < 0.1 * abs(approach[0])
 
 
 @pytest.mark.parametrize("run", ["soft20000", "soft2000000", "besideRigid", "twoSoft"])
