@@ -326,7 +326,6 @@ Foam::FixedList<Foam::scalar, 3> Foam::fsbi::rigidBody::weights() const
 
 void Foam::fsbi::rigidBody::advance(const scalar dt)
 {
-    step_ = dt;
     sixVector mean(old_.velocity);
     if (accepted_ > 1 && !stopped_)
     {
@@ -344,8 +343,18 @@ void Foam::fsbi::rigidBody::advance(const scalar dt)
     {
         mean = sixVector(scalar(0));
     }
-    now_.centre = old_.centre + dt*linear(mean);
-    turn_ = dt*angular(mean);
+    advance(dt, mean, 1);
+}
+
+
+void Foam::fsbi::rigidBody::advance
+(
+    const scalar dt, const sixVector& velocity, const scalar part
+)
+{
+    step_ = dt;
+    now_.centre = old_.centre + part*dt*linear(velocity);
+    turn_ = part*dt*angular(velocity);
     now_.orientation = rotationBy(turn_)*old_.orientation;
     now_.orientation /= mag(now_.orientation);
 }

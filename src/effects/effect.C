@@ -15,7 +15,10 @@ defineTypeNameAndDebug(effect, 0);
 defineRunTimeSelectionTable(effect, entries);
 
 //- Effects that come with the project, each in a library of its own
-static const wordList ours({"bonds", "contact", "magnetics", "repulsion"});
+static const wordList ours
+({
+    "bonds", "contact", "magnetics", "repulsion", "thermalMotion", "weight"
+});
 
 //- bonds -> libfsbiBonds.so
 static void loadLibraryOf(const word& type)

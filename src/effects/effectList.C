@@ -8,18 +8,14 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Foam::fsbi::effectList::effectList
 (
-    const Time& time,
-    const UPtrList<immersedBody>& bodies,
+    const effectContext& context,
     const List<List<triFace>>& triangles,
-    const List<planeWall>& walls,
-    const List<unseenPatch>& unseen,
-    const scalar mu,
     timings& t,
     const dictionary& saved
 )
 :
     timings_(t),
-    context_({time, bodies, walls, mu, unseen}),
+    context_(context),
     triangles_(triangles)
 {
     read(saved);
@@ -202,6 +198,39 @@ Foam::scalar Foam::fsbi::effectList::clearPart
     }
     place(clear);
     return clear;
+}
+
+
+bool Foam::fsbi::effectList::fluctuates() const
+{
+    for (const effect& e : effects_)
+    {
+        if (e.fluctuates())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+Foam::fsbi::outcome Foam::fsbi::effectList::setResistance
+(
+    const freeResistance& resistance
+)
+{
+    for (effect& e : effects_)
+    {
+        const outcome set
+        (
+            e.fluctuates() ? e.setResistance(resistance) : outcome()
+        );
+        if (!set)
+        {
+            return set;
+        }
+    }
+    return outcome();
 }
 
 

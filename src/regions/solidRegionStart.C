@@ -121,7 +121,13 @@ void Foam::fsbi::solidRegion::create(const bool saved)
     if (inFluid_)
     {
         // its surface is that of the stress-free body
-        wetted_.reset(new wettedSurface(mesh(), held, body_, order_ == 4));
+        wetted_.reset
+        (
+            new wettedSurface
+            (
+                mesh(), held, body_, material_->density(), order_ == 4
+            )
+        );
         wetted_->setSurface(rows_);
     }
     if (saved)

@@ -158,11 +158,12 @@ Foam::fsbi::surfaceSide Foam::fsbi::wettedSurface::sideOf
 Foam::fsbi::wettedSurface::wettedSurface
 (
     const fvMesh& mesh, const boolList& held, const elasticBody& body,
-    const bool curved
+    const scalar density, const bool curved
 )
 :
     name_(mesh.name()),
     curved_(curved),
+    density_(density),
     reference_(surfaceOf(mesh)),
     fit_(reference_),
     solid_(sideOf(mesh, patchOf(mesh), reference_)),

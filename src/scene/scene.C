@@ -110,7 +110,11 @@ void Foam::fsbi::scene::take
     forAll(rows, b)
     {
         bodies_.rigid[b].set(rows[b].velocity, loads[b]);
-        if (effects_ && ((steep() && !coupling_) || fluid_->acting().stiff(b)))
+        if
+        (
+            (steep() && !coupling_) || fluctuates()
+         || (effects_ && fluid_->acting().stiff(b))
+        )
         {
             bodies_.rigid[b].settle();
         }
@@ -186,6 +190,10 @@ Foam::fsbi::outcome Foam::fsbi::scene::solveCoupled()
 
 Foam::fsbi::outcome Foam::fsbi::scene::advanceFlow()
 {
+    if (fluctuates())
+    {
+        return advanceByMidpoint();
+    }
     // what contact stops is not where the first pass would place it
     bool extrapolated = true;
     for (const rigidBody& body : bodies_.rigid)
@@ -217,34 +225,9 @@ void Foam::fsbi::scene::placeBodies()
     {
         body.advance(time_.deltaTValue());
     }
-    for (prescribedBody& body : bodies_.prescribed)
-    {
-        if (body.present())
-        {
-            body.advance(time_.value(), time_.deltaTValue());
-        }
-    }
-    if (steep() && !coupling_)      // else surfacesApart does so
-    {
-        List<placement> before(bodies_.rigid.size());
-        List<sixVector> ways(before.size());
-        forAll(before, b)
-        {
-            const placement now(bodies_.rigid[b].placed());
-            before[b] = bodies_.rigid[b].before();
-            ways[b] = join
-            (
-                now.centre - before[b].centre,
-                angleOf(now.orientation*conjugate(before[b].orientation))
-            );
-        }
-        // drag beside a wall is not that of the way there
-        const auto place = wayFrom(before, ways);
-        if (effects_->clearPart(place) < 1)
-        {
-            place(0);
-        }
-    }
+    placePrescribed(1);
+    // drag beside a wall is not that of the way there
+    keepClear(true);
 }
 
 
@@ -303,7 +286,7 @@ void Foam::fsbi::scene::rewind()
 
 void Foam::fsbi::scene::endStep()
 {
-    if (steep())
+    if (steep() || fluctuates())
     {
         const boolList stopped(effects_->stopped());
         forAll(bodies_.rigid, b)

@@ -141,6 +141,32 @@ std::function<void(const Foam::scalar)> Foam::fsbi::scene::wayFrom
 }
 
 
+void Foam::fsbi::scene::keepClear(const bool hindered)
+{
+    if (!steep() || coupling_)      // surfacesApart does so there
+    {
+        return;
+    }
+    List<placement> before(bodies_.rigid.size());
+    List<sixVector> ways(before.size());
+    forAll(before, b)
+    {
+        const placement now(bodies_.rigid[b].placed());
+        before[b] = bodies_.rigid[b].before();
+        ways[b] = join
+        (
+            now.centre - before[b].centre,
+            angleOf(now.orientation*conjugate(before[b].orientation))
+        );
+    }
+    const auto place = wayFrom(before, ways);
+    if (effects_->clearPart(place) < 1 && hindered)
+    {
+        place(0);
+    }
+}
+
+
 bool Foam::fsbi::scene::effectsAgree
 (
     const UList<placement>& evaluated, List<bodyRows>& rows, meeting& met

@@ -118,10 +118,14 @@ void Foam::fsbi::scene::createEffects(const dictionary& saved)
     (
         new effectList
         (
-            time_, bodies_.immersed, triangles, fluid_->walls(),
-            fluid_->unseen(), fluid_->stokes().mu(), timings_, saved
+            {
+                time_, bodies_.immersed, fluid_->walls(),
+                fluid_->stokes().mu(), fluid_->unseen(), gravities()
+            },
+            triangles, timings_, saved
         )
     );
+    checkFluctuations();
     fluid_->setEffects(effects_());
 }
 
@@ -150,6 +154,35 @@ void Foam::fsbi::scene::keepApart()
             )
         )
     );
+}
+
+
+Foam::List<Foam::string> Foam::fsbi::scene::gravities() const
+{
+    DynamicList<string> places;
+    for (const momentumTerm& term : fluid_->momentum().terms())
+    {
+        if (term.buoyant())
+        {
+            places.append
+            (
+                "'" + term.type() + "' of constant/fluid/material has a force"
+                " of type 'gravity'"
+            );
+        }
+    }
+    for (const solidRegion& solid : bodies_.elastic)
+    {
+        if (bodies_.entries(solid.name()).found("acceleration"))
+        {
+            places.append
+            (
+                "body '" + solid.name() + "' has 'acceleration' in"
+                " constant/bodies"
+            );
+        }
+    }
+    return List<string>(places);
 }
 
 

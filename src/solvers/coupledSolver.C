@@ -138,6 +138,19 @@ Foam::scalar Foam::fsbi::coupledSolver::startFromPrevious
 }
 
 
+void Foam::fsbi::coupledSolver::takeSecants
+(
+    const scalarList& before, scalarList& x
+)
+{
+    scalarList better;
+    if (secants_.better(before, x, better) && system_->admissible(better))
+    {
+        x = better;
+    }
+}
+
+
 Foam::fsbi::solverReport Foam::fsbi::coupledSolver::improve(scalarList& x)
 {
     solverReport report;
@@ -163,6 +176,7 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::improve(scalarList& x)
     }
     else
     {
+        takeSecants(before, x);
         report.last = system_->largestChange(before, x);
     }
     return report;
@@ -201,6 +215,8 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
     scalarList x(system_->packed(cells));
     if (first)
     {
+        const systemLayout& layout = system_->layout();
+        secants_.start(layout.nFluid(), layout.nDistributed());
         const scalarList rest(system_->atRest(x));
         scale_ = evaluate(rest);
         if (system_->linear() && !problem.acting.empty())

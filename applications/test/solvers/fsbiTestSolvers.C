@@ -12,6 +12,7 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
+#include "correctionSecants.H"
 #include "petscObjects.H"
 #include "previousSolutions.H"
 #include "strainedSphere.H"
@@ -377,6 +378,60 @@ static void checkPrevious(checks& c)
 }
 
 
+//- Corrections that leave the parts of an error to entries 0, 1 ..., until it is
+//  below 1e-9 of the first; GREAT: never
+static scalar correctionsNeeded(const scalarList& parts)
+{
+    const label n = 40, begin = 10;
+    correctionSecants secants;
+    secants.start(begin, n);
+    scalarList x(n);
+    forAll(x, i)
+    {
+        x[i] = 1 + 0.1*i;           // the solution is zero
+    }
+    for (label k = 1; k <= 40; ++k)
+    {
+        scalarList next(n, Zero), better;
+        forAll(parts, i)
+        {
+            next[begin + i] = parts[i]*x[begin + i];
+        }
+        x = secants.better(x, next, better) ? better : next;
+        scalar largest = 0;
+        for (label i = begin; i < n; ++i)
+        {
+            largest = max(largest, mag(x[i]));
+        }
+        if (largest < 1e-9)
+        {
+            return k;
+        }
+    }
+    return GREAT;
+}
+
+
+static void checkSecants(checks& c)
+{
+    const auto most = [&](const char* what, const scalarList& parts, const label n)
+    {
+        const scalar k = correctionsNeeded(parts);
+        c.check(string("secants: ") + what, k <= n, name(k));
+    };
+    // bound: theory. Linear, it is exact once there are as many differences as
+    // shapes that are left, all else dies in the first correction; the first four
+    // corrections are plain
+    most("one shape that shrinks slowly", {0.9}, 5);
+    most("one that grows", {-1.3}, 5);
+    // of shapes whose corrections differ by more than the filter's 100 it finds the
+    // larger one first: two that go from side to side do not
+    most("two, one of which grows", {-0.8, -1.2}, 5);
+    // a thousandth a time: plain corrections are better than that
+    most("none where corrections are good", {1e-3, -1e-3}, 4);
+}
+
+
 static void checkUnits(checks& c)
 {
     const testMeshes room(wide);
@@ -421,5 +476,6 @@ int main(int argc, char *argv[])
     checkSpin(c);
     checkUnits(c);
     checkPrevious(c);
+    checkSecants(c);
     return c.finish();
 }

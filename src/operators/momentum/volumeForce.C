@@ -39,6 +39,8 @@ public:
     {
         b += weight_;
     }
+
+    bool buoyant() const override { return true; }
 };
 
 defineTypeNameAndDebug(gravity, 0);

@@ -50,6 +50,19 @@ void Foam::fsbi::volumeForces::update()
 }
 
 
+bool Foam::fsbi::volumeForces::buoyant() const
+{
+    for (const volumeForce& force : forces_)
+    {
+        if (force.buoyant())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 void Foam::fsbi::volumeForces::addResidual(const scalar*, scalar* r) const
 {
     forAll(onCells_, i)
