@@ -213,10 +213,14 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
         newton_->renewPreconditioner();
     }
     scalarList x(system_->packed(cells));
-    if (first)
+    if (first || problem.mayTouch)
     {
+        // corrections that bodies' touching cuts short have nothing to teach
         const systemLayout& layout = system_->layout();
         secants_.start(layout.nFluid(), layout.nDistributed());
+    }
+    if (first)
+    {
         const scalarList rest(system_->atRest(x));
         scale_ = evaluate(rest);
         if (system_->linear() && !problem.acting.empty())
