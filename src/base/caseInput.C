@@ -25,7 +25,10 @@ static const wordList regionFiles
 });
 
 //- Dictionaries that are read if they are there
-static const wordList constantFiles({"bodies", "effects", "regionProperties"});
+static const wordList constantFiles
+({
+    "bodies", "effects", "species", "regionProperties"
+});
 static const wordList systemFiles({"controlDict", "remeshDict"});
 
 static std::string contents(const fileName& file)

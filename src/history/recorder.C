@@ -36,6 +36,8 @@ Foam::fsbi::recorder::recorder
     time_(time),
     scene_(scene),
     history_(historyOf(time, restarted), time.value()),
+    ofEffects_(history_, time, "effects"),
+    ofSpecies_(history_, time, "species"),
     steps_(time, scene)
 {
     declare();
@@ -65,6 +67,10 @@ void Foam::fsbi::recorder::declare()
     if (scene_.effects())
     {
         declareEffects();
+    }
+    if (scene_.carried())
+    {
+        scene_.carried()->declare(ofSpecies_);
     }
     if (scene_.hasFluid())
     {
@@ -98,12 +104,23 @@ bool Foam::fsbi::recorder::estimatesError() const
 }
 
 
-void Foam::fsbi::recorder::declare
+Foam::fsbi::recorder::tables::tables
+(
+    historyFile& history, const Time& time, const word& group
+)
+:
+    history_(history),
+    time_(time),
+    group_(group)
+{}
+
+
+void Foam::fsbi::recorder::tables::declare
 (
     const fileName& path, const wordList& columns, const string& units
 )
 {
-    history_.declare("effects"/path, columns, units);
+    history_.declare(group_/path, columns, units);
 }
 
 
@@ -167,7 +184,7 @@ void Foam::fsbi::recorder::declareEffects()
         history_.declare(path/"force"/"effects", xyz, "M L/T^2");
         history_.declare(path/"torque"/"effects", xyz, "M L^2/T^2");
     }
-    scene_.effects()->declare(*this);
+    scene_.effects()->declare(ofEffects_);
 }
 
 

@@ -9,12 +9,12 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "equivalentEllipsoid.H"
 #include "Time.H"
 
-void Foam::fsbi::recorder::append
+void Foam::fsbi::recorder::tables::append
 (
     const fileName& path, const UList<scalar>& row
 )
 {
-    history_.append("effects"/path, time_.value(), row);
+    history_.append(group_/path, time_.value(), row);
 }
 
 
@@ -57,7 +57,7 @@ void Foam::fsbi::recorder::appendEffects()
             all[b]/"torque"/"effects", t, scalarList({f[3], f[4], f[5]})
         );
     }
-    scene_.effects()->record(*this);
+    scene_.effects()->record(ofEffects_);
 }
 
 
@@ -313,6 +313,10 @@ void Foam::fsbi::recorder::append
     if (scene_.effects())
     {
         appendEffects();
+    }
+    if (scene_.carried())
+    {
+        scene_.carried()->record(ofSpecies_);
     }
     appendPassages();
     appendFlow();

@@ -210,22 +210,11 @@ void Foam::fsbi::fluidRegion::rewind()
 }
 
 
-Foam::fsbi::outcome Foam::fsbi::fluidRegion::follow()
+void Foam::fsbi::fluidRegion::renew
+(
+    const outcome& followed, const label generation
+)
 {
-    const label generation = mesh_.generation();
-    const outcome followed = mesh_.follow
-    (
-        [this]()
-        {
-            // what stands on the mesh that is about to go
-            solver_.clear();
-            momentum_->release();
-            error_.release();
-            U_.clear();
-            p_.clear();
-        },
-        still_
-    );
     auto timer = timings_.measure("assembly");
     if (followed && mesh_.generation() == generation)
     {
@@ -236,6 +225,35 @@ Foam::fsbi::outcome Foam::fsbi::fluidRegion::follow()
         createFields();
         setState();
         createOperators();
+    }
+}
+
+
+Foam::fsbi::outcome Foam::fsbi::fluidRegion::follow()
+{
+    const label generation = mesh_.generation();
+    const outcome followed = mesh_.follow
+    (
+        [this]()
+        {
+            if (carried_)
+            {
+                carried_->release();
+            }
+            // what stands on the mesh that is about to go
+            solver_.clear();
+            momentum_->release();
+            error_.release();
+            U_.clear();
+            p_.clear();
+        },
+        still_
+    );
+    renew(followed, generation);
+    if (carried_ && followed && mesh_.generation() != generation)
+    {
+        auto timer = timings_.profileMemory(carried_->type());
+        carried_->renew();
     }
     return followed;
 }

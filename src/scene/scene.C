@@ -150,7 +150,18 @@ Foam::fsbi::outcome Foam::fsbi::scene::advance()
           + "' is infinite or no number"
         );
     }
-    return solved && effects_ ? effects_->acceptable() : solved;
+    const outcome accepted
+    (
+        solved && effects_ ? effects_->acceptable() : solved
+    );
+    return accepted && carried_ ? advanceCarried() : accepted;
+}
+
+
+Foam::fsbi::outcome Foam::fsbi::scene::advanceCarried()
+{
+    auto timer = timings_.profileMemory(carried_->type());
+    return carried_->advance();
 }
 
 
@@ -332,6 +343,10 @@ void Foam::fsbi::scene::write
     if (fluid_)
     {
         fluid_->write(add);
+    }
+    if (carried_)
+    {
+        carried_->write(add);
     }
     for (solidRegion& solid : bodies_.elastic)
     {

@@ -57,6 +57,7 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
     {
         traffic_.set(fluid_(), effects_.get());
     }
+    createCarried(saved.subOrEmptyDict("species"));
     listParticipants();
     if (coupling_ && saved.found("coupling"))
     {
@@ -81,6 +82,7 @@ void Foam::fsbi::scene::listParticipants()
     join("fluidMesh", fluid_.get());
     join("effects", effects_.get());
     join("coupling", coupling_.get());
+    join("species", carried_.get());
 }
 
 
@@ -183,6 +185,24 @@ Foam::List<Foam::string> Foam::fsbi::scene::gravities() const
         }
     }
     return List<string>(places);
+}
+
+
+void Foam::fsbi::scene::createCarried(const dictionary& saved)
+{
+    if (!carriedByFlow::wanted(time_))
+    {
+        return;
+    }
+    if (!fluid_)
+    {
+        FatalErrorInFunction
+            << "What constant/species names is dissolved in a fluid, but there is"
+            << " no file constant/fluid/material" << exit(FatalError);
+    }
+    carried_ = carriedByFlow::New(fluid_(), saved);
+    fluid_->setCarried(carried_());
+    Info<< "Dissolved species: " << flatOutput(carried_->names()) << nl << endl;
 }
 
 

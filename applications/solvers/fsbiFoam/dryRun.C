@@ -116,6 +116,10 @@ void Foam::fsbi::dryRun::reportScene(const scene& scene) const
         Info<< "none";
     }
     Info<< nl;
+    if (scene.carried())
+    {
+        Info<< "    species      " << flatOutput(scene.carried()->names()) << nl;
+    }
     if (scene.hasFluid() && scene.fluid().momentum().terms().size())
     {
         Info<< "    momentum     ";

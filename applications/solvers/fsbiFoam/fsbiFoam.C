@@ -7,7 +7,8 @@ Application
 
 Description
     Cells and microrobots in microvascular flow: Stokes flow, rigid and elastic
-    bodies on a conformal moving mesh, and the effects of constant/effects.
+    bodies on a conformal moving mesh, the effects of constant/effects, and what
+    is dissolved (constant/species).
 
 \*---------------------------------------------------------------------------*/
 
@@ -37,8 +38,8 @@ int main(int argc, char *argv[])
         " scotch). fsbiRedistribute\njoins the parts or divides them"
         " otherwise.\n\n"
         "Reads constant/bodies, constant/fluid/material, 0/fluid/U and\n"
-        "system/{controlDict,remeshDict,fluid/fvSolution}; if there is one"
-        " constant/effects;\nof an elastic body"
+        "system/{controlDict,remeshDict,fluid/fvSolution}; if there are any"
+        " constant/effects,\nconstant/species; of an elastic body"
         " constant/<body>/material,\n0/<body>/D, system/<body>/{fvSchemes,"
         "fvSolution}. Writes time folders with the regions\n(fluid: U, p;"
         " <body>: D, sigma ...), postProcessing/history.h5 and"

@@ -10,7 +10,7 @@ import numpy as np
 from fsbi import stl
 
 HALF = 18.0             # um, length of the channel to both sides
-RADIUS, THROAT = 5.5, 2.8
+RADIUS, THROAT = 5.5, 3.0
 STRAIGHT, END = 2.0, 8.0    # |x| up to which the throat reaches, where it opens fully
 AROUND, ALONG = 60, 120
 
