@@ -281,11 +281,16 @@ Foam::List<Foam::fsbi::planeWall> Foam::fsbi::flowConditions::walls
 
 Foam::wordList Foam::fsbi::flowConditions::open(const volVectorField& U) const
 {
+    // reduced once: processes do not have the same number of patches
     scalar fastest = 0;
     for (const fvPatchVectorField& pf : U.boundaryField())
     {
-        fastest = max(fastest, gMax(mag(pf)()));
+        for (const vector& u : pf)
+        {
+            fastest = max(fastest, mag(u));
+        }
     }
+    reduce(fastest, maxOp<scalar>());
     DynamicList<word> found;
     for (const fvPatchVectorField& pf : U.boundaryField())
     {

@@ -73,7 +73,7 @@ bool Foam::fsbi::correctionSecants::better
     correction_ = correction;
     norm_ = norm;
     iterate_ = x;
-    if (good || corrections_ <= plainCorrections)
+    if (good || corrections_ <= plainCorrections || columns_.empty())
     {
         return false;
     }

@@ -18,8 +18,10 @@ static const scalar sameConcentration = 1e-6;
 
 static const label mostIterations = 300;
 
-//- Part of the residual to which iterations can bring it
-static const scalar least = 1e-11;
+//- Part of the residual to which iterations can bring it, and of what fluxes
+//  add up to: digits
+static const scalar least = 1e-9;
+static const scalar digits = 1e-13;
 static const label restart = 40;
 
 //- Of the preconditioner's equations
@@ -171,7 +173,7 @@ void Foam::fsbi::soluteTransport::addBoundary(const scalar part, scalar* r)
                 out = 0;
                 break;
             case boundaryLaw::open:
-                wall = phi < 0 ? given : walls_[i] == zero ? 0 : c_[P];
+                wall = phi < 0 ? given : c_[P];
                 out = phi*wall;
                 break;
             case boundaryLaw::fixed:
@@ -266,7 +268,8 @@ void Foam::fsbi::soluteTransport::setLimits(const scalarField& c)
     forAll(walls_, i)
     {
         const label facei = stencil_.mesh().nInternalFaces() + i;
-        if (law_->kinds[i] != boundaryLaw::fixed && atWall_[i] < 0)
+        // what flows out of a cell must, or nothing balances what flows in
+        if (law_->kinds[i] == boundaryLaw::exchange && atWall_[i] < 0)
         {
             walls_[i] =
                 c[stencil_.mesh().faceOwner()[facei]] < 0 ? zero : twoPoint;
@@ -303,12 +306,16 @@ Foam::fsbi::outcome Foam::fsbi::soluteTransport::solve
         }
         residual(c.cdata(), 1, r.begin());
         const scalar size = norm(r);
-        const scalar there = norm(scalarField(V*c));
-        if (size <= tolerance*there || size <= VSMALL)
+        const scalar wanted = max
+        (
+            tolerance*norm(scalarField(V*c)),
+            digits*norm(scalarField(firstOrder_->diagonal()*c))
+        );
+        if (size <= max(wanted, VSMALL))
         {
             break;
         }
-        const scalar fall = min(max(tolerance*there/size, least), tolerance);
+        const scalar fall = min(max(wanted/size, least), tolerance);
         const outcome solved(correct(r, settled ? fall : tolerance, dc));
         if (!solved)
         {

@@ -3,7 +3,7 @@
 """Where the cell is, how long it is, and the flow that it lets through."""
 
 import numpy as np
-from make_vessel import HALF, RADIUS, STRAIGHT, THROAT, radius, resistance
+from make_vessel import STRAIGHT, THROAT, resistance
 
 from fsbi import plots
 from fsbi.history import History
@@ -49,4 +49,3 @@ print(f"    and is {axes['longest'][through].max() / axes['shortest'][through].m
       "as long as wide in it")
 print(f"    flow at least {flow['in'][5:].min():.4f} um3/us with the cell in the throat, "
       f"{flow['in'][-1]:.4f} when it has left (Poiseuille's law {free:.4f})")
-print(f"    radius of the channel at its ends {radius(HALF)} um")

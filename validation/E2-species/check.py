@@ -90,6 +90,13 @@ def sherwood():
                           title="Sherwood number of a sphere in Stokes flow")
 
 
+def wide():
+    """A domain twice as wide: what open boundaries 8 radii away change."""
+    compare("Pe1meshWide", "Sherwood_Pe1_wide",
+            lambda run: surface(run, "sphere", "rate") / (4 * np.pi) * 2,
+            theory.sherwood(1), SHERWOOD[1][2])
+
+
 def channel():
     def mean(run):
         return surface(run, "plate", "rate") / 0.2 * 1000
@@ -107,6 +114,8 @@ def channel():
 def main():
     diffusion()
     sherwood()
+    if not quick:
+        wide()
     channel()
     results.write()
 

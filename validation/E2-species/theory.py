@@ -29,19 +29,19 @@ def sherwood_thin(pe):
 
 
 def _products(n, f):
-    """Matrix of the integrals (2 l + 1)/2 int P_l f(mu, P_m, P_m') dmu."""
+    """Matrix of the integrals (2 k + 1)/2 int P_k f(mu, P_m, P_m') dmu."""
     mu, w = np.polynomial.legendre.leggauss(2 * n)
-    p = np.array([special.eval_legendre(l, mu) for l in range(n)])
+    p = np.array([special.eval_legendre(k, mu) for k in range(n)])
     one = 1 - mu**2
-    slope = np.array([l * (special.eval_legendre(l - 1, mu) - mu * p[l]) / one if l else 0 * mu
-                      for l in range(n)])
+    slope = np.array([k * (special.eval_legendre(k - 1, mu) - mu * p[k]) / one if k else 0 * mu
+                      for k in range(n)])
     factor = (2 * np.arange(n) + 1)[:, None] / 2
     return factor * ((p * w) @ f(mu, p, slope).T)
 
 
 def sherwood(pe):
     """u_r = cos(t) (1 - 3/(2 r) + 1/(2 r^3)),
-    u_t = -sin(t) (1 - 3/(4 r) - 1/(4 r^3)); r = exp(s), c = sum f_l(r) P_l.
+    u_t = -sin(t) (1 - 3/(4 r) - 1/(4 r^3)); r = exp(s), c = sum f_k(r) P_k.
     With twice the modes, or twice as far, it is the same to seven digits."""
     modes, points, far = ((30, 400, 60) if pe < 3 else (60, 300, 10) if pe < 30
                           else (90, 300, 3))
@@ -54,10 +54,10 @@ def sherwood(pe):
     turning = _products(modes, lambda mu, p, slope: (1 - mu**2) * slope)
     first, second = differences(points, h)
     inner = sparse.diags(np.r_[0, np.ones(points - 2), 0])
-    l = np.arange(modes)
-    # r^2 lap c = f'' + f' - l(l+1) f;  r^2 u.grad c = Pe (U_r mu f' + U_t f)
+    k = np.arange(modes)
+    # r^2 lap c = f'' + f' - k(k+1) f;  r^2 u.grad c = Pe (U_r mu f' + U_t f)
     left = (sparse.kron(inner @ (second + first), sparse.eye(modes))
-            - sparse.kron(inner, sparse.diags(l * (l + 1.0)))
+            - sparse.kron(inner, sparse.diags(k * (k + 1.0)))
             - pe * sparse.kron(inner @ sparse.diags(radial) @ first, cosine)
             - pe * sparse.kron(inner @ sparse.diags(along), turning))
     # c = 1 at the sphere; far away 0 in front of it, and behind what flows out

@@ -188,6 +188,48 @@ static void checkVariances(checks& c)
 }
 
 
+//- Paths of many bodies: mean squares spread as those of normal numbers do
+static void checkBodies(checks& c)
+{
+    const label bodies = 400, steps = 300, N = 6*bodies;
+    scalar mean = 0, spread = 0;
+    for (label body = 0; body < bodies; ++body)
+    {
+        const BrownianPath path
+        (
+            1, "thermalMotion/body" + Foam::name(body), 880
+        );
+        sixVector squares(scalar(0));
+        for (label i = 0; i < steps; ++i)
+        {
+            const sixVector dW(path.increment(i*880.0, (i + 1)*880.0));
+            forAll(dW, k)
+            {
+                squares[k] += sqr(dW[k])/880/steps;
+            }
+        }
+        for (const scalar square : squares)
+        {
+            mean += square/N;
+            spread += sqr(square - 1)*steps/2/N;
+        }
+    }
+    // bound: three standard deviations; the kurtosis of a mean square is
+    // 3 + 12/steps
+    c.checkBelow
+    (
+        "bodies: mean square", mag(mean - 1), 3*Foam::sqrt(2.0/steps/N)
+    );
+    c.checkBelow
+    (
+        "bodies: its spread", mag(spread - 1),
+        3*Foam::sqrt((2 + 12.0/steps)/N)
+    );
+    Info<< "    of bodies: mean square " << mean << ", spread over that of"
+        << " normal numbers " << spread << endl;
+}
+
+
 //- Of the free components a resistance with no symmetry, by random numbers
 static freeResistance anyResistance(const label firstFree)
 {
@@ -355,6 +397,7 @@ int main(int argc, char *argv[])
     checks c;
     checkParts(c);
     checkVariances(c);
+    checkBodies(c);
     checkCovariance(c);
     checkSteps(c);
     checkRefused(c);
