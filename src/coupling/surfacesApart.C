@@ -4,48 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "surfacesApart.H"
-
-namespace Foam
-{
-namespace fsbi
-{
-
-//- Halvings of a way that ends where effects oppose it
-static const label halvings = 8;
-
-//- Displacement and rotation vector that a velocity means
-static sixVector wayOf(const bodyRows& rows)
-{
-    sixVector way(rows.offset);
-    forAll(way, k)
-    {
-        way[k] = rows.gain*rows.velocity[k] - way[k];
-    }
-    return way;
-}
-
-//- Part of a way, up to the longest, beyond which the force along it is negative
-static scalar lowest
-(
-    const std::function<scalar(const scalar)>& force, const scalar longest
-)
-{
-    if (force(longest) >= 0)
-    {
-        return longest;
-    }
-    scalar before = 0, beyond = longest;
-    for (label i = 0; i < halvings; ++i)
-    {
-        const scalar middle = 0.5*(before + beyond);
-        (force(middle) >= 0 ? before : beyond) = middle;
-    }
-    return beyond;
-}
-
-} // End namespace fsbi
-} // End namespace Foam
-
+#include "ways.H"
 
 Foam::fsbi::surfacesApart::surfacesApart
 (

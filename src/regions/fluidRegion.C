@@ -400,7 +400,8 @@ Foam::fsbi::flowProblem Foam::fsbi::fluidRegion::problem
     conditions_.evaluate(U_(), stokes(), given_);
     return
     {
-        given_, rows, elastic, acting_, still_, effects_ && effects_->steep()
+        given_, rows, elastic, acting_, still_,
+        elastic.size() && effects_ && effects_->steep()
     };
 }
 

@@ -138,12 +138,16 @@ void Foam::fsbi::scene::keepApart()
     {
         return;
     }
-    if (coupling_->type() != "monolithic")
+    const word scheme(coupling_->type());
+    if (scheme != "monolithic")
     {
-        FatalErrorInFunction
-            << "Elastic bodies that an effect of constant/effects holds apart"
-            << " where they touch (contact) need the scheme 'monolithic' in"
-            << " 'coupling' of system/fluid/fvSolution" << exit(FatalError);
+        FatalIOErrorInFunction
+        (
+            fluid_->mesh().solutionDict().subOrEmptyDict("coupling")
+        )   << "Entry 'scheme' is '" << scheme << "'; valid choices are"
+            << " (monolithic) in scenes of elastic bodies and an effect of"
+            << " constant/effects that holds surfaces apart, as contact does"
+            << exit(FatalIOError);
     }
     coupling_->hold
     (

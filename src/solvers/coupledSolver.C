@@ -206,7 +206,7 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
     still_ = lagged_ || problem.still;
     if (!newton_)
     {
-        createNewton(problem.mayTouch && problem.elastic.size());
+        createNewton(problem.mayTouch);
     }
     if (stale)
     {
