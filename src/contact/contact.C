@@ -115,10 +115,6 @@ bool Foam::fsbi::contact::face
 ) const
 {
     f.otherTriangle = -1;
-    if (!now.present(other))
-    {
-        return false;
-    }
     if (now.isWall(other))
     {
         f.distance = now.wall(other).distance(f.site);
@@ -223,6 +219,10 @@ void Foam::fsbi::contact::search
     const visitor& visit
 ) const
 {
+    if (!now.present(body) || !now.present(other))
+    {
+        return;
+    }
     const bodySurface& s = now.surface(body);
     const auto longest = [&](const triFace& t)
     {

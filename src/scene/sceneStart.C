@@ -138,16 +138,17 @@ void Foam::fsbi::scene::keepApart()
     {
         return;
     }
-    const word scheme(coupling_->type());
-    if (scheme != "monolithic")
+    if (coupling_->type() != "monolithic")
     {
-        FatalIOErrorInFunction
+        const dictionary dict
         (
-            fluid_->mesh().solutionDict().subOrEmptyDict("coupling")
-        )   << "Entry 'scheme' is '" << scheme << "'; valid choices are"
-            << " (monolithic) in scenes of elastic bodies and an effect of"
-            << " constant/effects that holds surfaces apart, as contact does"
-            << exit(FatalIOError);
+            fluid_->mesh().solutionDict().subDict("coupling")
+        );
+        FatalIOErrorInFunction(dict)
+            << "Entry 'scheme' is '" << dict.get<word>("scheme")
+            << "'; valid choices are (monolithic) in scenes of elastic bodies"
+            << " and an effect of constant/effects that holds surfaces apart,"
+            << " as contact does" << exit(FatalIOError);
     }
     coupling_->hold
     (
