@@ -185,6 +185,26 @@ void Foam::fsbi::meshStencil::setWarp()
 }
 
 
+Foam::labelList Foam::fsbi::meshStencil::meshFaces() const
+{
+    labelList faces(owner_.size());
+    label i = 0;
+    for (; i < mesh_.nInternalFaces(); ++i)
+    {
+        faces[i] = i;
+    }
+    for (const label patchi : halo_.patches())
+    {
+        const polyPatch& pp = mesh_.boundaryMesh()[patchi];
+        forAll(pp, k)
+        {
+            faces[i++] = pp.start() + k;
+        }
+    }
+    return faces;
+}
+
+
 Foam::vectorField Foam::fsbi::meshStencil::centres() const
 {
     vectorField result(mesh_.nCells() + halo_.size());

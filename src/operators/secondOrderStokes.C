@@ -201,35 +201,54 @@ void Foam::fsbi::secondOrderStokes::addInnerFaces(scalar* r) const
 }
 
 
+Foam::fsbi::faceGradient Foam::fsbi::secondOrderStokes::faceOf
+(
+    const label i
+) const
+{
+    return faceGradient
+    (
+        stencil_.area()[i], stencil_.fromOwner()[i], stencil_.fromNeighbour()[i]
+    );
+}
+
+
+Foam::fsbi::secondOrderStokes::throughFace
+Foam::fsbi::secondOrderStokes::throughWarp
+(
+    const label k, const faceGradient& face
+) const
+{
+    const label i = stencil_.warpedFaces()[k];
+    const tensor& M = stencil_.warp()[k];
+    const scalar* gP = gradients_.cdata() + 12*stencil_.owner()[i];
+    const scalar* gN = gradients_.cdata() + 12*stencil_.neighbour()[i];
+    return
+    {
+        -(face.mean(gP + 9, gN + 9) & M),
+        (face.mean(gP, gN) & M).x()
+      + (face.mean(gP + 3, gN + 3) & M).y()
+      + (face.mean(gP + 6, gN + 6) & M).z()
+    };
+}
+
+
 void Foam::fsbi::secondOrderStokes::addWarp(scalar* r) const
 {
     forAll(stencil_.warpedFaces(), k)
     {
         const label i = stencil_.warpedFaces()[k];
-        const tensor& M = stencil_.warp()[k];
         const label P = stencil_.owner()[i];
         const label N = stencil_.neighbour()[i];
-        const faceGradient face
-        (
-            stencil_.area()[i], stencil_.fromOwner()[i],
-            stencil_.fromNeighbour()[i]
-        );
-        const scalar* gP = gradients_.cdata() + 12*P;
-        const scalar* gN = gradients_.cdata() + 12*N;
-        const vector force(face.mean(gP + 9, gN + 9) & M);
-        const scalar flux =
-            (face.mean(gP, gN) & M).x()
-          + (face.mean(gP + 3, gN + 3) & M).y()
-          + (face.mean(gP + 6, gN + 6) & M).z();
-
+        const throughFace out(throughWarp(k, faceOf(i)));
         for (label side = 0; side < (N < mesh_.nCells() ? 2 : 1); ++side)
         {
             scalar* row = r + 4*(side ? N : P);
             const scalar sign = side ? -1 : 1;
-            row[0] += sign*force.x();
-            row[1] += sign*force.y();
-            row[2] += sign*force.z();
-            row[3] += sign*flux;
+            row[0] -= sign*out.force.x();
+            row[1] -= sign*out.force.y();
+            row[2] -= sign*out.force.z();
+            row[3] += sign*out.flux;
         }
     }
 }
@@ -269,48 +288,54 @@ Foam::vector Foam::fsbi::secondOrderStokes::velocity
 }
 
 
-void Foam::fsbi::secondOrderStokes::addAdvection
+Foam::scalar Foam::fsbi::secondOrderStokes::innerFlux
 (
-    const scalarField& massFlux, const boundaryValues& b, scalar* r
+    const label i, const vector& meanVelocity
 ) const
 {
-    const label nCells = mesh_.nCells();
-    const auto add = [&](const label celli, const vector& momentum)
+    const faceGradient face(faceOf(i));
+    const label P = stencil_.owner()[i];
+    const label N = stencil_.neighbour()[i];
+    const scalar w = face.weight();
+    const scalar D = w*stabilisation_[P] + (1 - w)*stabilisation_[N];
+    const scalar jump = face.jump
+    (
+        values_[4*P + 3], values_[4*N + 3],
+        gradients_.cdata() + 12*P + 9, gradients_.cdata() + 12*N + 9
+    );
+    return (stencil_.area()[i] & meanVelocity) - D*face.compact()*jump;
+}
+
+
+Foam::fsbi::faceVelocities Foam::fsbi::secondOrderStokes::onFaces
+(
+    const boundaryValues& b
+) const
+{
+    const label nFaces = mesh_.nFaces();
+    faceVelocities on
     {
-        r[4*celli] += momentum.x();
-        r[4*celli + 1] += momentum.y();
-        r[4*celli + 2] += momentum.z();
+        scalarField(nFaces), vectorField(nFaces), vectorField(nFaces, Zero)
     };
-    const auto addInner = [&](const label i, const scalar flux)
+    const labelList faces(stencil_.meshFaces());
+    forAll(faces, i)
     {
-        const label P = stencil_.owner()[i];
-        const label N = stencil_.neighbour()[i];
-        const vector carried
+        const vector fromOwner
         (
-            0.5*flux
-           *(
-                velocity(P, stencil_.fromOwner()[i])
-              + velocity(N, stencil_.fromNeighbour()[i])
-            )
+            velocity(stencil_.owner()[i], stencil_.fromOwner()[i])
         );
-        add(P, carried);
-        if (N < nCells)
-        {
-            add(N, -carried);
-        }
-    };
-    for (label i = 0; i < mesh_.nInternalFaces(); ++i)
-    {
-        addInner(i, massFlux[i]);
+        const vector fromNeighbour
+        (
+            velocity(stencil_.neighbour()[i], stencil_.fromNeighbour()[i])
+        );
+        on.mean[faces[i]] = 0.5*(fromOwner + fromNeighbour);
+        on.jump[faces[i]] = 0.5*(fromOwner - fromNeighbour);
+        on.flux[faces[i]] = innerFlux(i, on.mean[faces[i]]);
     }
-    label inner = mesh_.nInternalFaces();
-    for (const label patchi : stencil_.halo().patches())
+    forAll(stencil_.warpedFaces(), k)
     {
-        const polyPatch& pp = mesh_.boundaryMesh()[patchi];
-        forAll(pp, k)
-        {
-            addInner(inner++, massFlux[pp.start() + k]);
-        }
+        const label i = stencil_.warpedFaces()[k];
+        on.flux[faces[i]] += throughWarp(k, faceOf(i)).flux;
     }
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
@@ -319,18 +344,12 @@ void Foam::fsbi::secondOrderStokes::addAdvection
             const label facei = pp.start() + k;
             const label i = facei - mesh_.nInternalFaces();
             const label P = mesh_.faceOwner()[facei];
-            const vector u
-            (
-                velocityGiven_[i]
-              ? b.faces[i]
-              : velocity
-                (
-                    P, mesh_.faceCentres()[facei] - mesh_.cellCentres()[P]
-                )
-            );
-            add(P, massFlux[facei]*u);
+            const vector d(mesh_.faceCentres()[facei] - mesh_.cellCentres()[P]);
+            on.mean[facei] = velocityGiven_[i] ? b.faces[i] : velocity(P, d);
+            on.flux[facei] = boundaryFlux_[i];
         }
     }
+    return on;
 }
 
 

@@ -21,6 +21,10 @@ static const label keptInContact = 300;
 //  less than the iterations that it saves
 static const scalar worthwhile = 10;
 
+//- Newton's corrections of a flow with convection before it is taken for one that
+//  does not converge
+static const label maxCorrections = 15;
+
 //- Residual at rest over that where springs were evaluated beyond which the first
 //  says nothing but how far a body has gone: springs as stiff as contact's would
 //  pull it back with many times the loads
@@ -97,7 +101,7 @@ void Foam::fsbi::coupledSolver::createNewton(const bool mayTouch)
         )
     );
     // the pressure on an elastic body, held all around or not, is felt
-    if (!closed_ || !system_->linear())
+    if (!closed_ || !withoutElastic())
     {
         return;
     }
@@ -125,7 +129,7 @@ Foam::scalar Foam::fsbi::coupledSolver::startFromPrevious
     scalarList& x, const scalar norm
 )
 {
-    if (!system_->linear() || !(norm > worthwhile*tolerance_*scale_))
+    if (!withoutElastic() || !(norm > worthwhile*tolerance_*scale_))
     {
         return norm;
     }
@@ -151,18 +155,25 @@ void Foam::fsbi::coupledSolver::takeSecants
 }
 
 
-Foam::fsbi::solverReport Foam::fsbi::coupledSolver::improve(scalarList& x)
+Foam::fsbi::solverReport Foam::fsbi::coupledSolver::improve
+(
+    const bool first, scalarList& x
+)
 {
     solverReport report;
     report.corrections = 0;
-    const scalar norm = startFromPrevious(x, evaluate(x));
+    scalar norm = evaluate(x);
+    if (first)
+    {
+        norm = startFromPrevious(x, norm);
+    }
     report.residual = norm/max(scale_, VSMALL);
     report.converged = report.residual <= tolerance_;
     if (report.converged || !std::isfinite(report.residual))
     {
         return report;
     }
-    if (!system_->linear() && !still_ && report.residual < flows)
+    if (!withoutElastic() && !still_ && report.residual < flows)
     {
         system_->followShapes();
     }
@@ -189,7 +200,19 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::solve
 )
 {
     solverReport report(correct(problem, true, cells, traction));
-    report.corrections = 1;
+    label corrections = 1, iterations = report.iterations;
+    while
+    (
+        !system_->linear() && !report.converged && report.failure.empty()
+     && std::isfinite(report.residual) && corrections < maxCorrections
+    )
+    {
+        report = correct(problem, false, cells, traction);
+        iterations += report.iterations;
+        ++corrections;
+    }
+    report.corrections = corrections;
+    report.iterations = iterations;
     return report;
 }
 
@@ -244,8 +267,8 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
             x = rest;
         }
     }
-    const solverReport report(improve(x));
-    if (system_->linear() && report.converged)
+    const solverReport report(improve(first, x));
+    if (withoutElastic() && report.converged)
     {
         previous_.add(x);
     }

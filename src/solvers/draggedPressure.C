@@ -9,7 +9,9 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Foam::fsbi::draggedPressure::draggedPressure
 (
-    const stokesOperator& stokes, const scalarField& drag
+    const stokesOperator& stokes,
+    const scalarField& drag,
+    const scalarField& massFlux
 )
 :
     stokes_(stokes),
@@ -23,11 +25,16 @@ Foam::fsbi::draggedPressure::draggedPressure
     // where terms leave cells without a rate, viscosity alone counts, which has
     // one on every scale
     const scalarField rate(max(drag, stokes_.mu()*slowest));
+    perRate_ = 1/rate;
+    if (massFlux.size())
+    {
+        massFlux_ = scalarField(massFlux, stokes_.stencil().meshFaces());
+    }
     const scalarField D(V/scalarField(stokes_.diagonal()));
     const scalar least = stokes_.closed() ? slowest : 0;
     compactEntries entries;
-    addLaplacian(stokes_.stencil(), 1/rate, rows, entries);
-    addOpenPatches(1/rate, rows, entries);
+    addLaplacian(stokes_.stencil(), perRate_, rows, entries);
+    addOpenPatches(perRate_, rows, entries);
     for (label i = 0; i < n; ++i)
     {
         entries.add(rows.toGlobal(i), rows.toGlobal(i), least*V[i]/rate[i]);
@@ -98,5 +105,35 @@ void Foam::fsbi::draggedPressure::apply(scalarList& pressure) const
     forAll(work_, i)
     {
         pressure[i] += work_[i];
+    }
+    if (massFlux_.size())
+    {
+        addCarried(pressure);
+    }
+}
+
+
+void Foam::fsbi::draggedPressure::addCarried(scalarList& pressure) const
+{
+    const meshStencil& stencil = stokes_.stencil();
+    const scalarField& V = stencil.mesh().cellVolumes();
+    scalarList f(V.size() + stencil.halo().size());
+    forAll(V, i)
+    {
+        f[i] = perRate_[i]*work_[i];
+    }
+    stencil.halo().fill(f.data(), 1);
+    forAll(massFlux_, i)
+    {
+        const label P = stencil.owner()[i];
+        const label N = stencil.neighbour()[i];
+        if (massFlux_[i] < 0)
+        {
+            pressure[P] += massFlux_[i]*(f[N] - f[P])/V[P];
+        }
+        else if (N < V.size())
+        {
+            pressure[N] -= massFlux_[i]*(f[P] - f[N])/V[N];
+        }
     }
 }

@@ -22,6 +22,13 @@ Foam::autoPtr<Foam::fsbi::fluidSolver> Foam::fsbi::fluidSolver::New
     );
     if (method == "SIMPLEC")
     {
+        if (!momentum.linear())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Convection (inertia in constant/fluid/material) needs method"
+                << " 'coupled' in 'coupling' of system/fluid/fvSolution"
+                << exit(FatalIOError);
+        }
         return autoPtr<fluidSolver>(new SIMPLEC(mesh, momentum, dict));
     }
     return autoPtr<fluidSolver>(new coupledSolver(momentum, dict));

@@ -7,6 +7,50 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "compactLaplacian.H"
 #include "gapDrag.H"
 
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Add what mass fluxes [M/T], by faces of the mesh, carry out of cells, as if
+//  all were carried from upwind: rows stay dominated by their diagonals
+static void addUpwind
+(
+    const meshStencil& stencil,
+    const scalarField& massFlux,
+    const globalIndex& rows,
+    compactEntries& entries
+)
+{
+    const label n = stencil.mesh().nCells();
+    scalarList column(n + stencil.halo().size());
+    for (label i = 0; i < n; ++i)
+    {
+        column[i] = rows.toGlobal(i);
+    }
+    stencil.halo().fill(column.data(), 1);
+    const labelList faces(stencil.meshFaces());
+    const auto add = [&](const label P, const label N, const scalar flux)
+    {
+        entries.add(column[P], column[P], max(flux, scalar(0)));
+        entries.add(column[P], column[N], min(flux, scalar(0)));
+    };
+    forAll(faces, i)
+    {
+        const label P = stencil.owner()[i];
+        const label N = stencil.neighbour()[i];
+        add(P, N, massFlux[faces[i]]);
+        if (N < n)
+        {
+            add(N, P, -massFlux[faces[i]]);
+        }
+    }
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
 Foam::fsbi::stokesPreconditioner::stokesPreconditioner
 (
     const fvMesh& mesh,
@@ -54,6 +98,35 @@ void Foam::fsbi::stokesPreconditioner::addFluid
         const label row = rows.toGlobal(i);
         entries.add(row, row, momentum_.massRate()[i]);
     }
+    addConvection(rows, entries);
+}
+
+
+void Foam::fsbi::stokesPreconditioner::addConvection
+(
+    const globalIndex& rows, compactEntries& entries
+) const
+{
+    const scalarField flux(momentum_.massFlux());
+    if (flux.empty())
+    {
+        return;
+    }
+    addUpwind(stokes_.stencil(), flux, rows, entries);
+    forAll(stokes_.velocityGiven(), i)
+    {
+        const label facei = mesh_.nInternalFaces() + i;
+        const label patchi = mesh_.boundaryMesh().whichPatch(facei);
+        if
+        (
+            !stokes_.velocityGiven()[i]
+         && !mesh_.boundaryMesh()[patchi].coupled()
+        )
+        {
+            const label row = rows.toGlobal(mesh_.faceOwner()[facei]);
+            entries.add(row, row, max(flux[facei], scalar(0)));
+        }
+    }
 }
 
 
@@ -68,7 +141,11 @@ void Foam::fsbi::stokesPreconditioner::setMatrix()
     }
     if (!matrix_)
     {
-        entries.create(PETSC_COMM_WORLD, nRows_, matrix_, solution_, source_);
+        entries.create
+        (
+            PETSC_COMM_WORLD, nRows_, matrix_, solution_, source_,
+            momentum_.massFlux().empty()
+        );
     }
     entries.fill(matrix_);
 }
@@ -77,16 +154,17 @@ void Foam::fsbi::stokesPreconditioner::setMatrix()
 void Foam::fsbi::stokesPreconditioner::rebuild()
 {
     setMatrix();
-    createCycle(matrix_, cycle_);
+    const scalarField carried(momentum_.massFlux());
+    createCycle(matrix_, cycle_, carried.empty());
     dragged_.clear();
     scalarField drag(max(gapDrag(stokes_), channelDrag(stokes_)));
     if (momentum_.massRate().size())
     {
         drag += momentum_.massRate()/mesh_.cellVolumes();
     }
-    if (gMax(drag) > 0)
+    if (gMax(drag) > 0 || carried.size())
     {
-        dragged_.reset(new draggedPressure(stokes_, drag));
+        dragged_.reset(new draggedPressure(stokes_, drag, carried));
     }
 }
 

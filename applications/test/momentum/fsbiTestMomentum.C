@@ -8,7 +8,7 @@ Application
 Description
     Checks of the terms of the fluid's momentum equation: inertia on moving
     meshes and against exact unsteady Stokes flow, its preconditioner at every
-    step, the transfer to another mesh, forces per volume.
+    step, the transfer to another mesh, convection, forces per volume.
 
 \*---------------------------------------------------------------------------*/
 
@@ -439,6 +439,7 @@ int main(int argc, char *argv[])
     checkTransfer(c);
     checkPressure(c);
     checkOutside(c);
+    checkConvection(c);
     checkWrong(c);
     checkMethods(c);
     checkIterations(c);

@@ -8,6 +8,7 @@ movie     films of those            pictures  small files of all of them
 case      a finished run            errors    distance from an exact solution
 convergence    orders, limits       accuracy_cost  the parts of fsbiAccuracyCost
 studies   runs of many copies       ensemble       the parts of fsbiEnsemble
+                                    optimise       the parts of fsbiOptimise
 
 In a shell, `python3 -m fsbi history CASE` prints a history.
 """

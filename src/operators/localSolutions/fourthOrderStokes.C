@@ -209,14 +209,15 @@ void Foam::fsbi::fourthOrderStokes::setOnEdges
 }
 
 
-void Foam::fsbi::fourthOrderStokes::addAdvection
+Foam::fsbi::faceVelocities Foam::fsbi::fourthOrderStokes::onFaces
 (
-    const scalarField&, const boundaryValues&, scalar*
+    const boundaryValues&
 ) const
 {
     FatalErrorInFunction
         << "Order 4 of the fluid is not there for inertia. Give 'order 2' in"
         << " 'coupling' of system/fluid/fvSolution" << exit(FatalError);
+    return faceVelocities();
 }
 
 

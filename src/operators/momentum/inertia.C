@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "inertia.H"
+#include "Switch.H"
 #include "volFields.H"
 #include "pointFields.H"
 #include "addToRunTimeSelectionTable.H"
@@ -39,6 +40,10 @@ Foam::fsbi::inertia::inertia(const fvMesh& mesh, const dictionary& dict)
 {
     const checkedDictionary entries(dict);
     density_ = entries.positive("density");
+    if (entries.getOrDefault<Switch>("convection", false))
+    {
+        convection_.reset(new convection(density_));
+    }
     entries.finish();
 }
 
@@ -143,9 +148,38 @@ void Foam::fsbi::inertia::addFluxes
     const stokesOperator& viscous, const boundaryValues& given, scalar* r
 ) const
 {
-    if (massFlux_.size())
+    if (convection_)
     {
-        viscous.addAdvection(massFlux_, given, r);
+        convection_->add(viscous, given, massFlux_, r);
+    }
+    else if (massFlux_.size())
+    {
+        convection::addOut(mesh_, massFlux_*viscous.onFaces(given).mean, r);
+    }
+}
+
+
+void Foam::fsbi::inertia::addFluxChanges
+(
+    const stokesOperator& viscous, const boundaryValues& given, scalar* r
+) const
+{
+    if (convection_)
+    {
+        convection_->addChanges(viscous, given, r);
+    }
+    else
+    {
+        addFluxes(viscous, given, r);
+    }
+}
+
+
+void Foam::fsbi::inertia::addMassFlux(scalarField& flux) const
+{
+    if (convection_)
+    {
+        flux += convection_->massFlux();
     }
 }
 

@@ -85,6 +85,31 @@ void Foam::fsbi::momentumEquation::update()
 }
 
 
+bool Foam::fsbi::momentumEquation::linear() const
+{
+    return std::all_of
+    (
+        terms_.begin(), terms_.end(),
+        [](const momentumTerm& term) { return term.linear(); }
+    );
+}
+
+
+Foam::scalarField Foam::fsbi::momentumEquation::massFlux() const
+{
+    if (linear())
+    {
+        return scalarField();
+    }
+    scalarField flux(mesh_.nFaces(), Zero);
+    for (const momentumTerm& term : terms_)
+    {
+        term.addMassFlux(flux);
+    }
+    return flux;
+}
+
+
 void Foam::fsbi::momentumEquation::setForce() const
 {
     const bool any = returnReduce
@@ -105,7 +130,7 @@ void Foam::fsbi::momentumEquation::setForce() const
 }
 
 
-void Foam::fsbi::momentumEquation::apply
+void Foam::fsbi::momentumEquation::applyInCells
 (
     const scalar* x,
     const boundaryValues& given,
@@ -121,10 +146,6 @@ void Foam::fsbi::momentumEquation::apply
     forAll(rows_, i)
     {
         r[i] += rows_[i];
-    }
-    for (const momentumTerm& term : terms_)
-    {
-        term.addFluxes(viscous_(), given, r);
     }
 }
 
@@ -142,7 +163,11 @@ void Foam::fsbi::momentumEquation::residual
     {
         term.addResidual(x, rows_.data());
     }
-    apply(x, given, r, traction);
+    applyInCells(x, given, r, traction);
+    for (const momentumTerm& term : terms_)
+    {
+        term.addFluxes(viscous_(), given, r);
+    }
 }
 
 
@@ -159,7 +184,11 @@ void Foam::fsbi::momentumEquation::applyJacobian
     {
         term.addJacobian(dx, rows_.data());
     }
-    apply(dx, dgiven, dr, dtraction);
+    applyInCells(dx, dgiven, dr, dtraction);
+    for (const momentumTerm& term : terms_)
+    {
+        term.addFluxChanges(viscous_(), dgiven, dr);
+    }
 }
 
 

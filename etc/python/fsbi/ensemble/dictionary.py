@@ -34,6 +34,32 @@ class Seed(Varied):
         return str(int(u * (2**31 - 1)))
 
 
+def read_seed(top, drawn, sampling):
+    """Of `seeds` and `seedEntry`; None: the case has its own in all runs."""
+    given = top.get("seeds", "none")
+    if given == "none":
+        if "seedEntry" in top:
+            top.refuse("'seedEntry' without seeds")
+        return None
+    file, colon, entry = top.get("seedEntry", SEED_ENTRY).partition(":")
+    if not colon or not entry:
+        top.refuse("seedEntry is not \"FILE:ENTRY\", with the quotes")
+    if drawn:
+        top.choice("seeds", ("each", "none"))
+        return Seed((file, entry))
+    if given == "each":
+        top.refuse(f"seeds each belongs to {', '.join(DRAWN)}; {sampling} has a "
+                   "number of seeds, or a list of them")
+    if not isinstance(given, list):
+        given = [str(i + 1) for i in range(top.count("seeds"))]
+    for seed in given:
+        if not str(seed).isdigit():
+            top.refuse(f"a seed is a whole number, not '{dictionary.shown(seed)}'")
+    if len(set(given)) < len(given):
+        top.refuse("a seed stands there twice")
+    return Seed((file, entry), given)
+
+
 class Result:
     """A quantity that every run has; with `above` or `below` yes or no."""
 
@@ -92,7 +118,7 @@ class Description:
         self.parameters = [Parameter(name, given, self.sampling)
                            for name, given in top.sections("parameters").items()]
         self._check_points()
-        self.seed = self._seed()
+        self.seed = read_seed(top, self.drawn, f"a {self.sampling}")
         self.results = [Result(name, given, self.sampling)
                         for name, given in top.sections("quantities").items()]
         self.confidence = top.above("confidence", 0, "0.95")
@@ -114,31 +140,6 @@ class Description:
         twice = [point for point in points if points.count(point) > 1]
         if twice:
             self.top.refuse(f"{' '.join(twice[0])} stands there twice")
-
-    def _seed(self):
-        """None: the case has its own in all runs."""
-        given = self.top.get("seeds", "none")
-        if given == "none":
-            if "seedEntry" in self.top:
-                self.top.refuse("'seedEntry' without seeds")
-            return None
-        file, colon, entry = self.top.get("seedEntry", SEED_ENTRY).partition(":")
-        if not colon or not entry:
-            self.top.refuse("seedEntry is not \"FILE:ENTRY\", with the quotes")
-        if self.drawn:
-            self.top.choice("seeds", ("each", "none"))
-            return Seed((file, entry))
-        if given == "each":
-            self.top.refuse(f"seeds each belongs to {', '.join(DRAWN)}; a {self.sampling} has a "
-                            "number of seeds, or a list of them")
-        if not isinstance(given, list):
-            given = [str(i + 1) for i in range(self.top.count("seeds"))]
-        for seed in given:
-            if not str(seed).isdigit():
-                self.top.refuse(f"a seed is a whole number, not '{dictionary.shown(seed)}'")
-        if len(set(given)) < len(given):
-            self.top.refuse("a seed stands there twice")
-        return Seed((file, entry), given)
 
     def _check_names(self):
         names = ["run", "failed", *(["seed"] if self.seed else []),

@@ -17,7 +17,7 @@ def write(ensemble):
         sensitivities(ensemble, os.path.join(folder, "sensitivities.csv"))
 
 
-def _write(path, header, rows):
+def write_table(path, header, rows):
     with open(path + ".part", "w", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerows([header, *rows])
@@ -29,7 +29,7 @@ def table(ensemble, path):
     parameters = [p.name for p in ensemble.parameters]
     header = ["run", *parameters, *(r.name for r in ensemble.results), "failed"]
     empty = [""] * len(ensemble.results)
-    _write(path, header, [
+    write_table(path, header, [
         [m.number, *(m.settings[p] for p in parameters),
          *(empty if m.failed else [f"{v:.10g}" for v in m.values]), m.failed or ""]
         for m in ensemble.counting()])
@@ -45,7 +45,7 @@ def summary(ensemble, path):
                      "probability" if result.yes_or_no() else "mean", len(values), failed,
                      *(f"{v:.10g}" for v in (value, low, high))])
         print("    " + sentence(ensemble, group, result, values, (value, low, high)))
-    _write(path, [*names, "quantity", "what", "runs", "failed", "value", "low", "high"], rows)
+    write_table(path, [*names, "quantity", "what", "runs", "failed", "value", "low", "high"], rows)
 
 
 def sentence(ensemble, group, result, values, estimate):
@@ -81,5 +81,5 @@ def sensitivities(ensemble, path):
             rows.append([result.name, p.name, *(f"{v:.6g}" for v in row)])
             print(f"    {result.name}, {p.name}: first-order index {row[0]:.2f} ({row[1]:.2f} to "
                   f"{row[2]:.2f}), total {row[3]:.2f} ({row[4]:.2f} to {row[5]:.2f})")
-    _write(path, ["quantity", "parameter", "first", "firstLow", "firstHigh", "total",
-                  "totalLow", "totalHigh"], rows)
+    write_table(path, ["quantity", "parameter", "first", "firstLow", "firstHigh", "total",
+                       "totalLow", "totalHigh"], rows)
