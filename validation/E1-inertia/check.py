@@ -65,7 +65,12 @@ def moving():
     results.add("parallel_difference_abs", abs(parallel / moved - 1).max(), 0, 2e-3, procs=2)
 
 
-for number in (1, 20) if quick else (1, 20, 100):
-    steady(number, EDGES[number][:2] if quick else EDGES[number])
-moving()
-results.write()
+def main():
+    for number in (1, 20) if quick else (1, 20, 100):
+        steady(number, EDGES[number][:2] if quick else EDGES[number])
+    moving()
+    results.write()
+
+
+if __name__ == "__main__":
+    main()

@@ -120,11 +120,16 @@ class Flow:
         return -2 * math.pi * rows.array[self.pulled].sum() / (math.pi / 2)
 
 
-edge = float(sys.argv[1]) if len(sys.argv) > 1 else 0.02
-flow = Flow(mesh(edge))
-with open("sphere_drag.csv", "w") as table:
-    print("# drag of a sphere, F/(rho U^2/2 pi a^2), by sphere_drag.py with edges of", edge,
-          file=table)
-    print("Re,drag", file=table)
-    for reynolds in REYNOLDS:
-        print(f"{reynolds},{flow.drag(reynolds):.6f}", file=table)
+def main():
+    edge = float(sys.argv[1]) if len(sys.argv) > 1 else 0.02
+    flow = Flow(mesh(edge))
+    with open("sphere_drag.csv", "w") as table:
+        print("# drag of a sphere, F/(rho U^2/2 pi a^2), by sphere_drag.py with edges of", edge,
+              file=table)
+        print("Re,drag", file=table)
+        for reynolds in REYNOLDS:
+            print(f"{reynolds},{flow.drag(reynolds):.6f}", file=table)
+
+
+if __name__ == "__main__":
+    main()
