@@ -182,7 +182,8 @@ Foam::fsbi::outcome Foam::fsbi::couplingScheme::advance
         }
         return solved;
     }
-    return finish(rows, loads);
+    const outcome inside(fluid_.still() ? fluid_.holdsBodies() : outcome());
+    return inside ? finish(rows, loads) : inside;
 }
 
 
