@@ -231,8 +231,11 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
     {
         createNewton(problem.mayTouch);
     }
-    if (stale)
+    if (stale || (first && problem.mayTouch))
     {
+        // where bodies may touch steps fail more often than elsewhere: what a
+        // failed one has left is not to show in the next, not even in digits
+        // beyond the tolerance
         newton_->renewPreconditioner();
     }
     scalarList x(system_->packed(cells));
