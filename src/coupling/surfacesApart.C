@@ -188,13 +188,13 @@ void Foam::fsbi::surfacesApart::take
 {
     forAll(solids_, e)
     {
-        *solids_[e].rows().x =
-            part < 1
-          ? scalarField
-            (
-                from_.unknowns[e] + part*(to.unknowns[e] - from_.unknowns[e])
-            )
-          : to.unknowns[e];
+        scalarField& x = *solids_[e].rows().x;
+        x = to.unknowns[e];
+        for (label i = 0; part < 1 && i < x.size(); ++i)
+        {
+            const scalar from = from_.unknowns[e][i];
+            x[i] = from + part*(x[i] - from);
+        }
     }
     follow();
     rows = rowsNow_();

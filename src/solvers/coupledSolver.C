@@ -231,11 +231,16 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
     {
         createNewton(problem.mayTouch);
     }
-    if (stale || (first && problem.mayTouch))
+    const bool anew = first && problem.mayTouch;
+    if (anew)
     {
         // where bodies may touch steps fail more often than elsewhere: what a
-        // failed one has left is not to show in the next, not even in digits
-        // beyond the tolerance
+        // failed one has left, as multigrid keeps of earlier matrices, is not to
+        // show in the next, not even in digits beyond the tolerance
+        system_->forgetPreconditioner();
+    }
+    if (anew || stale)
+    {
         newton_->renewPreconditioner();
     }
     scalarList x(system_->packed(cells));

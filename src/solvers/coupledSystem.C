@@ -418,6 +418,13 @@ void Foam::fsbi::coupledSystem::precondition(const scalar* r, scalar* z) const
 }
 
 
+void Foam::fsbi::coupledSystem::forgetPreconditioner()
+{
+    preconditioner_.clear();
+    corners_.clear();
+}
+
+
 void Foam::fsbi::coupledSystem::renewPreconditioner()
 {
     if (!preconditioner_)
