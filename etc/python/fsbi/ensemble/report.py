@@ -86,11 +86,11 @@ def _least(wanted, found, points):
     what = f"{wanted.name} for a probability of {wanted.result.name} {wanted.side} " \
         f"{wanted.probability:g}"
     last = f"{points[-1][0]:g}"
-    high = f"to {found.high:.3g}" if found.high < np.inf else f"and above {last}, the last one"
+    low = f"{found.low:.3g}" if found.low < np.inf else last
+    high = f"{found.high:.3g}" if found.high < np.inf else f"more than {last}, the largest run"
     if found.value == np.inf:
-        low = f"; at least {found.low:.3g}" if found.low < np.inf else ", certainly"
-        return f"no {what} up to {last}{low}"
-    return f"smallest {what}: {found.value:.3g} ({found.low:.3g} {high})"
+        return f"smallest {what}: more than {last}, the largest run (at least {low})"
+    return f"smallest {what}: {found.value:.3g} ({low} to {high})"
 
 
 def _tell_failures(ensemble):
