@@ -152,9 +152,9 @@ def draw(found, smallest):
         bands = np.array([adhesion.wilson(c, n) for c in counts])
         curve.errorbar(doses, part, np.abs(bands.T - part), ls="", capsize=3, mfc="white",
                        marker=plots.MARKERS[i], color=colour,
-                       label=f"{patient} receptors: {n} seeds each (95 %, Wilson)")
+                       label=f"{density:g} receptors/µm², {n} seeds each (95 %, Wilson)")
         curve.plot(fine, [exact.bond(density, d) for d in fine], color=colour, lw=1,
-                   label="closed form")
+                   label="closed form" if i == 0 else None)
         truth = exact.smallest(density, WANTED)
         for j, (value, low, high) in enumerate(smallest[patient]):
             y = j + 9 * i
@@ -165,8 +165,11 @@ def draw(found, smallest):
     curve.set(ylabel="probability of a bond in 4 ms", ylim=(-0.03, 1.03))
     curve.set_title("A drug blocks receptors of a block held over a wall", loc="left")
     curve.legend(loc="lower left")
-    intervals.set_xscale("symlog", linthresh=10)
-    intervals.set(xlabel="dose", yticks=[], ylabel="smallest dose for 1/2,\n8 studies each")
+    intervals.set_xscale("symlog", linthresh=10, linscale=0.5)
+    doses = [0, 10, 20, 40, 80, 160, 320]
+    intervals.set_xticks(doses, [str(d) for d in doses])
+    intervals.set(xlabel="dose", yticks=[], xlim=(-1, 400),
+                  ylabel="smallest dose for 1/2,\n8 studies each")
     plots.save(figure, "protocols.png")
 
 

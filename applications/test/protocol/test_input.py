@@ -12,6 +12,8 @@ from binding import PATIENTS, PLASMA, TEXT, call, new
 
 from fsbi.ensemble import patients, smallest, treatment
 from fsbi.ensemble.dictionary import Description
+from fsbi.studies import Refused
+from fsbi.studies.entries import Entries
 
 # what is replaced, by what, what the message has
 WRONG = {
@@ -72,16 +74,19 @@ TABLES = {
 }
 
 
-def one_line(done):
-    text = done.stderr.strip()
-    assert done.returncode == 1 and text.startswith("fsbiEnsemble: ") and "\n" not in text
+def refused(case):
+    """What is said of it."""
+    with pytest.raises(Refused) as found:
+        Description(case).check(Entries(case))
+    text = str(found.value)
+    assert "\n" not in text
     return text
 
 
 @pytest.mark.parametrize("old, other, message", WRONG.values(), ids=WRONG.keys())
 def test_one_line_says_what_is_wrong(tmp_path, old, other, message):
     assert TEXT.count(old) == 1 or old == "patients.csv"
-    assert message in one_line(call(new(tmp_path / "case", TEXT.replace(old, other))))
+    assert message in refused(new(tmp_path / "case", TEXT.replace(old, other)))
 
 
 @pytest.mark.parametrize("table, old, other, message", TABLES.values(), ids=TABLES.keys())
@@ -89,7 +94,15 @@ def test_so_of_a_table(tmp_path, table, old, other, message):
     text = dict(patients=PATIENTS, plasma=PLASMA)[table]
     assert text.count(old) == 1
     case = new(tmp_path / "case", **{table: text.replace(old, other)})
-    assert message in one_line(call(case))
+    assert message in refused(case)
+
+
+def test_the_command_says_it_too_and_runs_nothing(tmp_path):
+    case = new(tmp_path / "case", TEXT.replace("(0 10 40)", "(0 -10 40)"))
+    done = call(case)
+    assert done.returncode == 1 and not os.path.exists(f"{case}/ensemble")
+    assert done.stderr.strip() == "fsbiEnsemble: system/ensembleDict, drug: doses are numbers, " \
+        "not below zero: (0 -10 40)"
 
 
 def test_help_tells_of_patients_and_doses():

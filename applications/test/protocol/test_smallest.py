@@ -87,6 +87,7 @@ def test_ends_that_no_dose_reaches_are_open():
     none = smallest.smallest([1, 0.5], [16, 16], [16, 16], 0.5)
     assert none == (None, None, None)
     assert smallest.smallest([1, 0.5], [0, 0], [16, 16], 0.5) == (1, 1, 1)
+    assert smallest.smallest([1, 0.5], [1, 0], [1, 1], 0.5).value < 1       # not where all have it
     few = smallest.smallest([1, 0.5], [3, 1], [4, 4], 0.5)
     assert few.low == 1 and 0.5 < few.value < 1 and few.high is None
 

@@ -79,6 +79,18 @@ def test_killed_it_goes_on_to_the_same_tables(one):
     assert raw("killed") == raw("one")
 
 
+def test_frequent_enough_is_the_other_side_of_rare_enough(one):
+    """Of the contrary, with the same runs."""
+    with open("killed/system/ensembleDict", "w") as file:
+        none = "none { quantity errors.bond; below 0.5; } bond {"
+        file.write(TEXT.replace("bond        {", none)
+                   .replace("quantity bond; below 0.4", "quantity none; above 0.6"))
+    done = call("killed")
+    assert done.returncode == 0 and "took" not in done.stdout
+    assert [[r[w] for w in ("dose", "low", "high")] for r in rows("killed", "smallest")] == [
+        [r[w] for w in ("dose", "low", "high")] for r in rows("one", "smallest")]
+
+
 def test_more_patients_and_doses_run_only_what_is_new(one):
     new_text = TEXT.replace("(0 10 40)", "(0 10 40 80)")
     with open("two/system/ensembleDict", "w") as file:

@@ -168,8 +168,8 @@ class Description:
             self.top.refuse(f"{' '.join(twice[0])} stands there twice")
 
     def _check_names(self):
-        names = ["run", "failed", *(["seed"] if self.seed else []),
-                 *(p.name for p in (*self.parameters, *self.derived)), *(r.name for r in self.results)]
+        names = ["run", "failed", *(p.name for p in self.all_parameters()),
+                 *(r.name for r in self.results)]
         twice = sorted({n for n in names if names.count(n) > 1})
         if twice:
             self.top.refuse(f"'{twice[0]}' names two columns of the table")

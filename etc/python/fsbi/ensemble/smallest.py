@@ -72,8 +72,9 @@ def smallest(axis, happened, trials, wanted, confidence=0.95):
     there."""
     estimate = isotonic(happened, trials)
     low, high = bands(estimate, trials, confidence)
-    # all of n: no rate; half a run without tells the least
-    estimate = np.minimum(estimate, 1 - 0.5 / np.array(trials))
+    # all of n tell no rate; that of half a run without, or between what is wanted and all
+    most = np.maximum(1 - 0.5 / np.array(trials), 0.5 + 0.5 * wanted)
+    estimate = np.minimum(estimate, most)
     return Smallest(*(crossing(axis, curve, wanted) for curve in (estimate, low, high)))
 
 
