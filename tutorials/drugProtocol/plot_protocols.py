@@ -10,7 +10,6 @@ import numpy as np
 from fsbi import plots
 
 FOLDER = "runs/protocols/ensemble"
-LAST = 640          # of the axis, mg
 
 
 def rows(table):
@@ -29,9 +28,9 @@ def curve(axes, i, patient, found):
 
 def dose(axes, i, row):
     y = float(row["probability"]) + 0.015 * (2 * i - 1)
-    value, low, high = (min(float(row[word]), LAST) for word in ("dose", "low", "high"))
-    axes.plot([low, high], [y, y], color=plots.COLOURS[i], lw=4, alpha=0.4)
-    if value < LAST:
+    value, low, high = (float(row[word]) for word in ("dose", "low", "high"))
+    axes.plot([min(low, last), min(high, last)], [y, y], color=plots.COLOURS[i], lw=4, alpha=0.4)
+    if value < last:
         axes.plot(value, y, "|", color=plots.COLOURS[i], ms=9, mew=2)
 
 
@@ -39,6 +38,8 @@ summary = [r for r in rows("summary") if r["quantity"] == "aggregate"]
 smallest = rows("smallest")
 protocols, patients = (list(dict.fromkeys(r[word] for r in summary))
                        for word in ("protocol", "patient"))
+doses = sorted({float(r["dose"]) for r in summary})
+last = 2 * doses[-1]        # of the axis
 figure, several = plots.plt.subplots(1, len(protocols), figsize=(8.6, 3.8), sharey=True,
                                      squeeze=False)
 for axes, protocol in zip(several[0], protocols):
@@ -50,8 +51,8 @@ for axes, protocol in zip(several[0], protocols):
             dose(axes, patients.index(row["patient"]), row)
     axes.axhline(float(smallest[0]["probability"]), color=plots.INK, lw=0.8, ls=":")
     axes.set_xscale("symlog", linthresh=20, linscale=0.6)
-    axes.set(xlabel="each dose (mg)", xlim=(-2, LAST), ylim=(-0.05, 1.05))
-    axes.set_xticks([0, 20, 80, 320], ["0", "20", "80", "320"])
+    axes.set(xlabel="each dose (mg)", xlim=(-2, last), ylim=(-0.05, 1.05))
+    axes.set_xticks(doses, [f"{d:g}" for d in doses])
     axes.set_title(protocol, loc="left")
 several[0][0].set_ylabel("probability of an aggregate")
 several[0][-1].legend(loc="upper right")
