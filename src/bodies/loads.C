@@ -9,14 +9,33 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Foam::fsbi::loads::loads(const List<List<triFace>>& triangles)
 :
     triangles_(triangles),
+    nPoints_(triangles.size(), Zero),
     force_(triangles.size(), sixVector(scalar(0))),
     stiffness_(triangles.size(), sixMatrix(sixVector(scalar(0))))
 {}
 
 
+void Foam::fsbi::loads::countPoints(const site& s)
+{
+    if (s.body < 0 || !s.onCorners || nPoints_[s.body])
+    {
+        return;
+    }
+    for (const triFace& f : triangles_[s.body])
+    {
+        for (const label v : f)
+        {
+            nPoints_[s.body] = max(nPoints_[s.body], v + 1);
+        }
+    }
+}
+
+
 void Foam::fsbi::loads::add(const spring& s)
 {
     springs_.append(s);
+    countPoints(s.a);
+    countPoints(s.b);
 }
 
 
@@ -101,6 +120,21 @@ bool Foam::fsbi::loads::stiff(const label bodyi) const
 }
 
 
+Foam::fsbi::loads Foam::fsbi::loads::others() const
+{
+    loads result(*this);
+    result.springs_.clear();
+    for (const spring& s : springs_)
+    {
+        if (!onCorners(s))
+        {
+            result.springs_.append(s);
+        }
+    }
+    return result;
+}
+
+
 bool Foam::fsbi::loads::onElastic() const
 {
     const auto elastic = [this](const site& s)
@@ -123,9 +157,11 @@ Foam::fsbi::loads::onBodies Foam::fsbi::loads::zero() const
     onBodies result;
     result.whole.setSize(triangles_.size(), sixVector(scalar(0)));
     result.triangles.setSize(triangles_.size());
+    result.points.setSize(triangles_.size());
     forAll(triangles_, b)
     {
         result.triangles[b] = vectorField(triangles_[b].size(), Zero);
+        result.points[b] = vectorField(nPoints_[b], Zero);
     }
     return result;
 }
@@ -174,6 +210,15 @@ void Foam::fsbi::loads::pull
 {
     if (s.body < 0)
     {
+        return;
+    }
+    if (triangles_[s.body].size() && s.onCorners)
+    {
+        const triFace& f = triangles_[s.body][s.triangle];
+        forAll(f, k)
+        {
+            sum.points[s.body][f[k]] += s.weights[k]*force;
+        }
         return;
     }
     if (triangles_[s.body].size())
@@ -231,6 +276,36 @@ Foam::fsbi::loads::onBodies Foam::fsbi::loads::changes
 }
 
 
+Foam::scalar Foam::fsbi::loads::work
+(
+    const onBodies& f, const ofBodies& u
+) const
+{
+    scalar sum = 0;
+    forAll(triangles_, b)
+    {
+        forAll(f.whole[b], k)
+        {
+            sum += f.whole[b][k]*u.whole[b][k];
+        }
+        forAll(f.points[b], i)
+        {
+            sum += f.points[b][i] & u.points[b][i];
+        }
+        if (u.points[b].size())
+        {
+            forAll(f.triangles[b], i)
+            {
+                const triFace& t = triangles_[b][i];
+                const vectorField& d = u.points[b];
+                sum += (f.triangles[b][i] & (d[t[0]] + d[t[1]] + d[t[2]]))/3;
+            }
+        }
+    }
+    return sum;
+}
+
+
 Foam::tensorField Foam::fsbi::loads::springStiffness(const label bodyi) const
 {
     tensorField sum(triangles_[bodyi].size(), Zero);
@@ -238,7 +313,7 @@ Foam::tensorField Foam::fsbi::loads::springStiffness(const label bodyi) const
     {
         for (const site* end : {&s.a, &s.b})
         {
-            if (end->body == bodyi)
+            if (end->body == bodyi && !onCorners(s))
             {
                 sum[end->triangle] += s.stiffness;
             }

@@ -84,9 +84,11 @@ Foam::fsbi::contact::contact
 void Foam::fsbi::contact::setDivisions()
 {
     divisions_.setSize(context_.bodies.size());
+    areas_.setSize(divisions_.size());
     forAll(divisions_, b)
     {
         const immersedBody& body = context_.bodies[b];
+        const bodySurface free(body.stressFree());
         const scalar edge =
             finest*Foam::sqrt(2*min(body.radius(), GREAT)*range_);
         divisions_[b] = max
@@ -95,9 +97,13 @@ void Foam::fsbi::contact::setDivisions()
             min
             (
                 mostDivisions,
-                label(std::ceil(body.placedSurface().meanEdge()/edge))
+                label(std::ceil(free.meanEdge()/edge))
             )
         );
+        for (label i = 0; body.deforms() && i < free.triangles().size(); ++i)
+        {
+            areas_[b].append(free.triangles()[i].mag(free.points()));
+        }
     }
 }
 
@@ -109,10 +115,6 @@ bool Foam::fsbi::contact::face
 ) const
 {
     f.otherTriangle = -1;
-    if (!now.present(other))
-    {
-        return false;
-    }
     if (now.isWall(other))
     {
         f.distance = now.wall(other).distance(f.site);
@@ -174,7 +176,15 @@ void Foam::fsbi::contact::divide
         facing f;
         f.triangle = triangle;
         f.site = place(i + side/3, j + side/3);
-        if (face(now, other, reach, f))
+        if (!face(now, other, reach, f))
+        {
+            return;
+        }
+        if (areas_[body].size())
+        {
+            f.area = areas_[body][triangle]/sqr(scalar(n));
+        }
+        else
         {
             const point corner(place(i, j));
             f.area =
@@ -183,8 +193,8 @@ void Foam::fsbi::contact::divide
                     (place(i + side, j) - corner)
                   ^ (place(i, j + side) - corner)
                 );
-            visit(f);
         }
+        visit(f);
     };
     for (label i = 0; i < n; ++i)
     {
@@ -209,6 +219,10 @@ void Foam::fsbi::contact::search
     const visitor& visit
 ) const
 {
+    if (!now.present(body) || !now.present(other))
+    {
+        return;
+    }
     const bodySurface& s = now.surface(body);
     const auto longest = [&](const triFace& t)
     {
@@ -262,7 +276,8 @@ void Foam::fsbi::contact::push
           : materialPoint::nearest
             (
                 tri, x, surface.points(), surface.triangles()
-            ).weights()
+            ).weights(),
+            areas_[on].size() > 0
         };
     };
     l.add

@@ -74,26 +74,49 @@ Foam::autoPtr<Foam::fsbi::couplingScheme> Foam::fsbi::couplingScheme::New
 
 Foam::fsbi::outcome Foam::fsbi::couplingScheme::moveMesh()
 {
-    return lagged_ ? outcome() : fluid_.move();
+    return lagged_ || fluid_.still() ? outcome() : fluid_.move();
+}
+
+
+Foam::fsbi::outcome Foam::fsbi::couplingScheme::keepApart
+(
+    List<bodyRows>& rows
+)
+{
+    outcome moved;
+    if (apart_->limit(fluid_.acting(), rows) && !fluid_.still())
+    {
+        fluid_.stay(true);
+        apart_->atStart([&]{ moved = fluid_.move(); });
+    }
+    return moved;
 }
 
 
 Foam::List<Foam::vectorField> Foam::fsbi::couplingScheme::effectForces
 (
-    const UList<bodyRows>& rows
+    const UList<bodyRows>& rows, List<vectorField>& cells
 ) const
 {
     const loads::onBodies all(fluid_.effectForces(rows));
     List<vectorField> forces(solids_.size());
+    cells.setSize(solids_.size());
     forAll(forces, e)
     {
+        const label bodyi = fluid_.nRigid() + e;
         forces[e].setSize(elastic_[e]->elastic->boundary().kinds().size());
         forces[e] = Zero;
+        cells[e].clear();
         if (all.triangles.size())
         {
-            elastic_[e]->solid.addToFaces
+            elastic_[e]->solid.addToFaces(all.triangles[bodyi], forces[e]);
+        }
+        if (all.points.size() && all.points[bodyi].size())
+        {
+            cells[e].setSize(elastic_[e]->volumes.size(), Zero);
+            elastic_[e]->addPointForces
             (
-                all.triangles[fluid_.nRigid() + e], forces[e]
+                all.points[bodyi], cells[e], forces[e]
             );
         }
     }
@@ -144,6 +167,7 @@ Foam::fsbi::outcome Foam::fsbi::couplingScheme::advance
             solid.follow();
         }
     }
+    fluid_.stay(apart_ && apart_->hold(rows));
     const outcome followed(fluid_.follow());
     if (!followed)
     {
@@ -158,7 +182,8 @@ Foam::fsbi::outcome Foam::fsbi::couplingScheme::advance
         }
         return solved;
     }
-    return finish(rows, loads);
+    const outcome inside(fluid_.still() ? fluid_.holdsBodies() : outcome());
+    return inside ? finish(rows, loads) : inside;
 }
 
 
@@ -168,11 +193,12 @@ Foam::fsbi::outcome Foam::fsbi::couplingScheme::finish
 )
 {
     fluid_.finish(rows, elastic_, loads);
-    const List<vectorField> others(effectForces(rows));
+    List<vectorField> cells;
+    const List<vectorField> others(effectForces(rows, cells));
     outcome taken;
     for (label e = 0; taken && e < solids_.size(); ++e)
     {
-        taken = solids_[e].finish(fluidForce(e), others[e]);
+        taken = solids_[e].finish(fluidForce(e), others[e], cells[e]);
     }
     return taken;
 }

@@ -20,6 +20,9 @@ addToRunTimeSelectionTable(couplingScheme, monolithic, entries);
 //- Corrections of a step before it is taken for one that does not converge
 static const label maxCorrections = 15;
 
+//- The same where bodies touch: corrections may be shortened then
+static const label maxInContact = 60;
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -61,8 +64,13 @@ Foam::fsbi::outcome Foam::fsbi::monolithic::corrected() const
 Foam::fsbi::outcome Foam::fsbi::monolithic::solve(List<bodyRows>& rows)
 {
     label iterations = 0;
-    for (label i = 0; i <= maxCorrections; ++i)
+    const label most = apart_ ? maxInContact : maxCorrections;
+    for (label i = 0; i <= most; ++i)
     {
+        if (apart_)
+        {
+            apart_->begin();
+        }
         report_ = fluid_.correct(rows, elastic_, i == 0);
         iterations += report_.iterations;
         report_.iterations = iterations;
@@ -80,6 +88,11 @@ Foam::fsbi::outcome Foam::fsbi::monolithic::solve(List<bodyRows>& rows)
         {
             solid.follow();
         }
+        const outcome apart(apart_ ? keepApart(rows) : outcome());
+        if (!apart)
+        {
+            return apart;
+        }
         const outcome moved(moveMesh());
         if (!moved)
         {
@@ -88,7 +101,7 @@ Foam::fsbi::outcome Foam::fsbi::monolithic::solve(List<bodyRows>& rows)
     }
     return outcome::failed
     (
-        "fluid and bodies do not agree after " + name(maxCorrections)
+        "fluid and bodies do not agree after " + name(most)
       + " Newton iterations: the residual is " + name(report_.residual)
       + ", body '" + solids_[report_.last.body].name() + "' still moves by "
       + name(report_.last.distance)

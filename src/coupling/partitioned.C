@@ -228,7 +228,8 @@ Foam::fsbi::outcome Foam::fsbi::partitioned::solveSolids
     const List<vectorField>& given, const List<bodyRows>& rows
 )
 {
-    effects_ = effectForces(rows);
+    List<vectorField> none;         // of contact, which needs monolithic
+    effects_ = effectForces(rows, none);
     forAll(solids_, e)
     {
         springs_[e] = spring(e, given[e]);

@@ -19,6 +19,10 @@ namespace fsbi
 //  where a gap allows none that is good
 static const scalar loss = 3;
 
+//- Degrees of non-orthogonality that are good enough where bodies rest on each
+//  other: of the fluid between them nothing but a resistance is asked for
+static const scalar atRest = 82;
+
 //- Fatal if the domain has cells without volume
 static void checkDomain(const polyMesh& domain)
 {
@@ -404,9 +408,16 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::usable() const
 }
 
 
+bool Foam::fsbi::fluidMesh::endures() const
+{
+    const meshQuality now(mesh());
+    return now.minVolume > 0 && now.maxNonOrthogonality <= atRest;
+}
+
+
 Foam::fsbi::outcome Foam::fsbi::fluidMesh::follow
 (
-    const std::function<void()>& release
+    const std::function<void()>& release, const bool rest
 )
 {
     auto timer = timings_.measure("meshing");
@@ -427,6 +438,10 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::follow
         min(referenceNonOrthogonality_ + loss, remeshControls::bearable)
     );
     const scalar twist = motion_->twist();
+    if (rest && twist <= controls.maxTwist && endures())
+    {
+        return outcome();
+    }
     string reason
     (
         meshQuality(mesh(), referenceVolumes_).failureReason(controls, twist)

@@ -127,7 +127,7 @@ Foam::string Foam::fsbi::fluidMesh::keptApart() const
     return
         "in constant/effects `contact { gap "
       + Foam::name(rounded(proposedGap*radius)) + "; pressure P; }`, on which"
-        " rigid bodies rest (P some 5 F/(pi R gap) for a load F on a radius R),"
+        " bodies rest (P some 5 F/(pi R gap) for a load F on a radius R),"
         " or 'repulsion'";
 }
 

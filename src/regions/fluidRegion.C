@@ -246,7 +246,8 @@ Foam::fsbi::outcome Foam::fsbi::fluidRegion::follow()
             error_.release();
             U_.clear();
             p_.clear();
-        }
+        },
+        still_
     );
     renew(followed, generation);
     if (carried_ && followed && mesh_.generation() != generation)
@@ -255,6 +256,25 @@ Foam::fsbi::outcome Foam::fsbi::fluidRegion::follow()
         carried_->renew();
     }
     return followed;
+}
+
+
+Foam::fsbi::outcome Foam::fsbi::fluidRegion::holdsBodies() const
+{
+    const boundBox& domain = mesh_.mesh().bounds();
+    for (const immersedBody& body : mesh_.bodies())
+    {
+        const boundBox box(body.placedSurface().bounds());
+        if (body.present() && !domain.contains(box))
+        {
+            OStringStream reason;
+            reason
+                << "body '" << body.name() << "' would leave the domain: it"
+                << " reaches from " << box.min() << " to " << box.max();
+            return outcome::failed(reason.str());
+        }
+    }
+    return outcome();
 }
 
 
@@ -397,7 +417,11 @@ Foam::fsbi::flowProblem Foam::fsbi::fluidRegion::problem
         rows[b].vertices = bodyVertices_[b];
     }
     conditions_.evaluate(U_(), stokes(), given_);
-    return {given_, rows, elastic, acting_};
+    return
+    {
+        given_, rows, elastic, acting_, still_,
+        elastic.size() && effects_ && effects_->steep()
+    };
 }
 
 

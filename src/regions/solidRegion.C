@@ -191,10 +191,17 @@ bool Foam::fsbi::solidRegion::follow()
 
 Foam::fsbi::outcome Foam::fsbi::solidRegion::finish
 (
-    const vectorField& fluid, const vectorField& effects
+    const vectorField& fluid,
+    const vectorField& effects,
+    const vectorField& cells
 )
 {
     fluidForce_ = gSum(fluid);
+    if (cells.size())
+    {
+        rows_.acting =
+            rows_.acting.size() ? vectorField(rows_.acting + cells) : cells;
+    }
     conditions_->addForce(fluid + effects);
     return take();
 }
@@ -364,12 +371,16 @@ void Foam::fsbi::solidRegion::endStep()
 {
     motion_->endStep(fields_->D(), forces_);
     increment_ = x_ - oldX_;
+    if (stopped_)
+    {
+        increment_ = 0;
+    }
     oldStep_ = time_.deltaTValue();
     balance_.add(working());
     measures_.work = balance_.work();
     if (wetted_)
     {
-        wetted_->endStep();
+        wetted_->endStep(stopped_);
     }
     elastic_->endStep();
     if (moves())

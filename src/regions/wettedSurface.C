@@ -290,9 +290,13 @@ Foam::point Foam::fsbi::wettedSurface::start() const
 }
 
 
-void Foam::fsbi::wettedSurface::endStep()
+void Foam::fsbi::wettedSurface::endStep(const bool stopped)
 {
     motion_.endStep(displacement_, vectorField());
+    if (stopped)
+    {
+        motion_.start(displacement_);
+    }
 }
 
 

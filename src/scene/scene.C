@@ -30,6 +30,12 @@ static sixVector total
         force += pulls[i];
         torque += (x - centre) ^ pulls[i];
     }
+    const vectorField& onPoints = acted.points[bodyi];
+    forAll(onPoints, i)
+    {
+        force += onPoints[i];
+        torque += (surface.points()[i] - centre) ^ onPoints[i];
+    }
     return join(force, torque);
 }
 
@@ -297,6 +303,10 @@ void Foam::fsbi::scene::endStep()
         forAll(bodies_.rigid, b)
         {
             bodies_.rigid[b].stop(stopped[b]);
+        }
+        forAll(bodies_.elastic, e)
+        {
+            bodies_.elastic[e].stop(stopped[bodies_.rigid.size() + e]);
         }
     }
     for (const auto& participant : participants_)

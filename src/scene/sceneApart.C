@@ -7,6 +7,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "scene.H"
 #include "untrapped.H"
+#include "ways.H"
 
 namespace Foam
 {
@@ -20,24 +21,10 @@ static const label mostCorrections = 25;
 //  gone, over the largest of all: Newton's next correction would leave its square
 static const scalar sameLoads = 1e-3;
 
-//- Halvings of a way that ends where the energy is least
-static const label halvings = 8;
-
 //- Loads as forces: torques over the radius
 static scalar size(const sixVector& load, const scalar radius)
 {
     return mag(linear(load)) + mag(angular(load))/radius;
-}
-
-//- Displacement and rotation vector from where effects were evaluated
-static sixVector wayOf(const bodyRows& rows)
-{
-    sixVector way(rows.offset);
-    forAll(way, k)
-    {
-        way[k] = rows.gain*rows.velocity[k] - way[k];
-    }
-    return way;
 }
 
 //- Loads of effects that balance all others on a way: these change with the
@@ -78,25 +65,6 @@ static scalar along
         }
     }
     return work;
-}
-
-//- Part of a way, up to the longest, beyond which the force along it is negative
-static scalar lowest
-(
-    const std::function<scalar(const scalar)>& force, const scalar longest
-)
-{
-    if (force(longest) >= 0)
-    {
-        return longest;
-    }
-    scalar before = 0, beyond = longest;
-    for (label i = 0; i < halvings; ++i)
-    {
-        const scalar middle = 0.5*(before + beyond);
-        (force(middle) >= 0 ? before : beyond) = middle;
-    }
-    return beyond;
 }
 
 } // End namespace fsbi
@@ -143,7 +111,7 @@ std::function<void(const Foam::scalar)> Foam::fsbi::scene::wayFrom
 
 void Foam::fsbi::scene::keepClear(const bool hindered)
 {
-    if (!steep())
+    if (!steep() || coupling_)      // surfacesApart does so there
     {
         return;
     }

@@ -51,6 +51,7 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
     if (fluid_ && bodies_.elastic.size())
     {
         coupling_ = couplingScheme::New(fluid_(), bodies_.elastic);
+        keepApart();
     }
     if (fluid_)
     {
@@ -128,6 +129,38 @@ void Foam::fsbi::scene::createEffects(const dictionary& saved)
     );
     checkFluctuations();
     fluid_->setEffects(effects_());
+}
+
+
+void Foam::fsbi::scene::keepApart()
+{
+    if (!steep())
+    {
+        return;
+    }
+    if (coupling_->type() != "monolithic")
+    {
+        const dictionary dict
+        (
+            fluid_->mesh().solutionDict().subDict("coupling")
+        );
+        FatalIOErrorInFunction(dict)
+            << "Entry 'scheme' is '" << dict.get<word>("scheme")
+            << "'; valid choices are (monolithic) in scenes of elastic bodies"
+            << " and an effect of constant/effects that holds surfaces apart,"
+            << " as contact does" << exit(FatalIOError);
+    }
+    coupling_->hold
+    (
+        autoPtr<surfacesApart>
+        (
+            new surfacesApart
+            (
+                effects_(), bodies_.rigid, bodies_.elastic,
+                [this]{ return bodyRowsNow(); }
+            )
+        )
+    );
 }
 
 

@@ -46,6 +46,7 @@ bool Foam::fsbi::coupledSystem::set(const flowProblem& problem)
             stokes.stencil().mesh().nCells(), elastic_, problem.bodies.size()
         );
     effects_.clear();
+    corners_.clear();
     shapes_.clear();
     if (!problem.acting.empty())
     {
@@ -150,9 +151,20 @@ void Foam::fsbi::coupledSystem::addSurfaceForces
     {
         const elasticRows& body = *elastic_[e];
         vectorField force(body.surfaceForce(traction_));
+        const label bodyi = bodies_->size() + e;
         if (effects_)
         {
-            body.solid.addToFaces(load.triangles[bodies_->size() + e], force);
+            body.solid.addToFaces(load.triangles[bodyi], force);
+        }
+        if (effects_ && load.points[bodyi].size())
+        {
+            vectorField cells(body.volumes.size(), Zero);
+            body.addPointForces(load.points[bodyi], cells, force);
+            vector* row = layout_.displacement(e, r);
+            forAll(cells, i)
+            {
+                row[i] -= cells[i];
+            }
         }
         body.elastic->boundary().addLoad(force, r + layout_.elastic(e));
     }
@@ -267,6 +279,49 @@ void Foam::fsbi::coupledSystem::residual(const scalar* x, scalar* r) const
 }
 
 
+void Foam::fsbi::coupledSystem::loadRows
+(
+    const loads::onBodies& load, scalar* r
+) const
+{
+    traction_ = Zero;
+    addSurfaceForces(load, r);
+    finishRows
+    (
+        bodyDefectChanges
+        (
+            *bodies_, List<sixVector>(bodies_->size(), sixVector(scalar(0))),
+            bodyForces(load)
+        ),
+        vectorField(elastic_.size(), Zero), r
+    );
+}
+
+
+Foam::fsbi::loads::ofBodies Foam::fsbi::coupledSystem::displacements
+(
+    const scalar* dx
+) const
+{
+    List<vectorField> points(elastic_.size());
+    forAll(elastic_, e)
+    {
+        scalarList rows(elastic_[e]->elastic->size());
+        elastic_[e]->applyJacobian(dx + layout_.elastic(e), rows.begin());
+        points[e] = elastic_[e]->surfaceIncrement().points;
+    }
+    return effects_->displacements(layout_.read(dx).velocities, points);
+}
+
+
+Foam::scalar Foam::fsbi::coupledSystem::normOfEffects() const
+{
+    scalarList r(size(), Zero);
+    loadRows(effects_->acting().forces(), r.begin());
+    return norm(r);
+}
+
+
 void Foam::fsbi::coupledSystem::followShapes()
 {
     shapes_.clear();
@@ -347,6 +402,37 @@ void Foam::fsbi::coupledSystem::applyJacobian
 void Foam::fsbi::coupledSystem::precondition(const scalar* r, scalar* z) const
 {
     preconditioner_->apply(r, z);
+    if (!effects_ || !effects_->acting().onCorners())
+    {
+        return;
+    }
+    if (!corners_)
+    {
+        corners_.reset
+        (
+            new cornerSprings
+            (
+                effects_->acting(), size(),
+                [this](const loads::onBodies& load, scalar* rows)
+                {
+                    loadRows(load, rows);
+                },
+                [this](const scalar* dx) { return displacements(dx); },
+                [this](const scalar* rows, scalar* answer)
+                {
+                    preconditioner_->apply(rows, answer);
+                }
+            )
+        );
+    }
+    corners_->apply(z);
+}
+
+
+void Foam::fsbi::coupledSystem::forgetPreconditioner()
+{
+    preconditioner_.clear();
+    corners_.clear();
 }
 
 
@@ -358,4 +444,5 @@ void Foam::fsbi::coupledSystem::renewPreconditioner()
             coupledPreconditioner::New(preconditionerType_, *this);
     }
     preconditioner_->rebuild();
+    corners_.clear();
 }

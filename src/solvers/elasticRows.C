@@ -26,6 +26,25 @@ void Foam::fsbi::elasticRows::spread(const sixVector& load)
 }
 
 
+void Foam::fsbi::elasticRows::addPointForces
+(
+    const vectorField& points, vectorField& cells, vectorField& faces
+) const
+{
+    vectorField onVertices(elastic->stencil().mesh().nPoints(), Zero);
+    vectorField moving(points);
+    forAll(moving, i)
+    {
+        if (heldPoints[i])
+        {
+            moving[i] = Zero;       // their supports take it
+        }
+    }
+    solid.spreadPoints(moving, onVertices);
+    elastic->shareForces(onVertices, cells, faces);
+}
+
+
 void Foam::fsbi::elasticRows::residual(const scalar* x, scalar* r) const
 {
     elastic->residual(x, *given, r);

@@ -22,10 +22,12 @@ Foam::fsbi::loadCoupling::loadCoupling
 
 void Foam::fsbi::loadCoupling::factorise()
 {
+    // those on corners are cornerSprings'
+    const loads crude(loads_.onCorners() ? loads_.others() : loads_);
     bool stiff = false;
     forAll(bodies_, b)
     {
-        stiff = stiff || loads_.stiff(b);
+        stiff = stiff || crude.stiff(b);
     }
     if (!stiff)
     {
@@ -39,7 +41,7 @@ void Foam::fsbi::loadCoupling::factorise()
     {
         scalar& unit = u.whole[j/6][j % 6];
         unit = bodies_[j/6].gain;
-        const loads::onBodies f(loads_.changes(u));
+        const loads::onBodies f(crude.changes(u));
         unit = 0;
         for (label i = 0; i < n; ++i)
         {
@@ -78,12 +80,13 @@ Foam::fsbi::loads::onBodies Foam::fsbi::loadCoupling::forces
             sum.whole[b][k] += change.whole[b][k];
         }
         sum.triangles[b] += change.triangles[b];
+        sum.points[b] += change.points[b];
     }
     return sum;
 }
 
 
-Foam::fsbi::loads::onBodies Foam::fsbi::loadCoupling::changes
+Foam::fsbi::loads::ofBodies Foam::fsbi::loadCoupling::displacements
 (
     const UList<sixVector>& v, const UList<vectorField>& points
 ) const
@@ -100,7 +103,7 @@ Foam::fsbi::loads::onBodies Foam::fsbi::loadCoupling::changes
     {
         u.points[bodies_.size() + e] = points[e];
     }
-    return loads_.changes(u);
+    return u;
 }
 
 

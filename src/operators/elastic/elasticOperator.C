@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fourthOrderElastic.H"
 #include "secondOrderElastic.H"
+#include "sharedVertices.H"
 #include "syncTools.H"
 
 Foam::fsbi::elasticOperator::elasticOperator
@@ -106,6 +107,34 @@ Foam::tmp<Foam::vectorField> Foam::fsbi::elasticOperator::boundaryForce() const
     auto result = tmp<vectorField>::New(boundary_.kinds().size(), Zero);
     UIndirectList<vector>(result.ref(), stencil_.ghostFaces()) = boundaryForce_;
     return result;
+}
+
+
+void Foam::fsbi::elasticOperator::shareForces
+(
+    const vectorField& onVertices, vectorField&, vectorField& faces
+) const
+{
+    scalarField number(mesh_.nPoints(), Zero);
+    const auto corners = [&](const label b) -> const face&
+    {
+        return mesh_.faces()[mesh_.nInternalFaces() + b];
+    };
+    for (const label b : stencil_.ghostFaces())
+    {
+        for (const label v : corners(b))
+        {
+            number[v] += 1;
+        }
+    }
+    sharedVertices::sum<1>(mesh_, number.begin(), stencil_.halo().size());
+    for (const label b : stencil_.ghostFaces())
+    {
+        for (const label v : corners(b))
+        {
+            faces[b] += onVertices[v]/number[v];
+        }
+    }
 }
 
 

@@ -368,6 +368,41 @@ Foam::fsbi::secondOrderElastic::vertexDisplacement() const
 }
 
 
+void Foam::fsbi::secondOrderElastic::shareForces
+(
+    const vectorField& onVertices, vectorField& cells, vectorField& faces
+) const
+{
+    forAll(onVertices, v)
+    {
+        if (onVertices[v] == vector::zero)
+        {
+            continue;
+        }
+        for
+        (
+            label j = stencil_.vertexStart()[v];
+            j < stencil_.vertexStart()[v + 1];
+            ++j
+        )
+        {
+            const label column = stencil_.vertexColumn()[j];
+            const vector part(stencil_.valueWeight()[j]*onVertices[v]);
+            if (column < stencil_.nCells())
+            {
+                cells[column] += part;
+                continue;
+            }
+            // u_G = 2 u_b - u_P, b: on the face
+            const label g = column - stencil_.firstGhost();
+            const label i = stencil_.firstBoundary() + g;
+            faces[stencil_.ghostFaces()[g]] += 2*part;
+            cells[stencil_.owner()[i]] -= part;
+        }
+    }
+}
+
+
 Foam::tmp<Foam::vectorField>
 Foam::fsbi::secondOrderElastic::vertexIncrement() const
 {

@@ -6,4 +6,6 @@ numbers out of them, are those of fsbi.studies.
 dictionary   system/ensembleDict, checked         sampling     which values go together
 study        which runs, which of them count      statistics   what they say
 report       tables and what is printed           draw         the picture
+patients     a table of them                      treatment    a drug, and when it is given
+smallest     dose for a probability
 """

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """system/ensembleDict of a case, checked: see etc/dictionaries/ensembleDict."""
 
+import os
+
 import numpy as np
 
 from fsbi.studies import Refused, dictionary
@@ -9,10 +11,13 @@ from fsbi.studies.quantities import Quantity
 
 from . import statistics
 from .sampling import DRAWN, SAMPLINGS, Parameter, Varied, check_entries, plan
+from .smallest import Wanted
+from .treatment import Treatment
 
 FILE = "system/ensembleDict"
 WORDS = ("parameters", "quantities", "sampling", "samples", "seeds", "seedEntry",
-         "confidence", "prepare")
+         "confidence", "prepare", "patients", "drug", "protocols", "smallest")
+TREATMENT = ("patients", "drug", "protocols")
 RESULT_WORDS = ("quantity", "above", "below", "halfWidth")
 SEED_ENTRY = "constant/effects:bonds/seed"
 
@@ -100,8 +105,8 @@ class Result:
 
 
 class Description:
-    """What the dictionary says: sampling, samples, parameters (with the seed as the
-    last one), results, confidence, prepare."""
+    """What the dictionary says: sampling, samples, parameters, those derived from them,
+    seed, results, confidence, prepare; treatment and smallest, or None."""
 
     def __init__(self, case):
         top = dictionary.read(case, FILE)
@@ -115,8 +120,13 @@ class Description:
         self.samples = top.count("samples") if self.drawn else None
         if self.sampling == "Sobol" and self.samples & (self.samples - 1):
             top.refuse(f"Sobol wants a power of two as samples, not {self.samples}")
-        self.parameters = [Parameter(name, given, self.sampling)
-                           for name, given in top.sections("parameters").items()]
+        self.treatment = self._treatment(case)
+        self.parameters = self.treatment.parameters if self.treatment else []
+        if "parameters" in top or not self.treatment:
+            self.parameters = self.parameters + [
+                Parameter(name, given, self.sampling)
+                for name, given in top.sections("parameters").items()]
+        self.derived = self.treatment.derived if self.treatment else []
         self._check_points()
         self.seed = read_seed(top, self.drawn, f"a {self.sampling}")
         self.results = [Result(name, given, self.sampling)
@@ -126,6 +136,22 @@ class Description:
             top.refuse("'confidence' is below 1, as 0.95")
         self.prepare = dictionary.shown(top.get("prepare", "blockMesh"))
         self._check_names()
+        self.smallest = Wanted(top.section("smallest"), self) if "smallest" in top else None
+
+    def _treatment(self, case):
+        there = [word for word in TREATMENT if word in self.top]
+        if there and self.sampling != "grid":
+            self.top.refuse(f"'{there[0]}' belongs to a grid, not to {self.sampling}")
+        return Treatment(self.top, lambda file: os.path.join(case, file)) if there else None
+
+    def complete(self, settings):
+        """With what is derived from them."""
+        return self.treatment.complete(settings) if self.treatment else settings
+
+    def tables(self):
+        """Files of the case that say which runs there are, and nothing to these."""
+        tables = self.treatment.tables() if self.treatment else []
+        return (FILE, *map(os.path.normpath, tables))
 
     def _check_points(self):
         """Of a list side by side, of a grid each once."""
@@ -142,18 +168,18 @@ class Description:
             self.top.refuse(f"{' '.join(twice[0])} stands there twice")
 
     def _check_names(self):
-        names = ["run", "failed", *(["seed"] if self.seed else []),
-                 *(p.name for p in self.parameters), *(r.name for r in self.results)]
+        names = ["run", "failed", *(p.name for p in self.all_parameters()),
+                 *(r.name for r in self.results)]
         twice = sorted({n for n in names if names.count(n) > 1})
         if twice:
             self.top.refuse(f"'{twice[0]}' names two columns of the table")
 
     def all_parameters(self):
-        return [*self.parameters, *([self.seed] if self.seed else [])]
+        return [*self.parameters, *self.derived, *([self.seed] if self.seed else [])]
 
     def check(self, entries):
         """Against the case."""
-        for p in self.parameters:
+        for p in (*self.parameters, *self.derived):
             check_entries(p.name, p.entries, entries, p.given.refuse)
         if self.seed:
             check_entries("seed", self.seed.entries, entries, self.top.refuse)

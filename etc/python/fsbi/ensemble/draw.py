@@ -1,8 +1,9 @@
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The picture of an ensemble: of a grid or list every result over the parameter with
-the most values, in a grid with a line for the values of the others; of drawn values
-every result over each; with sampling Sobol the indices."""
+the most values, or that of which the smallest is wanted, in a grid with a line for the
+values of the others; of drawn values every result over each; with sampling Sobol the
+indices."""
 
 import numpy as np
 
@@ -53,9 +54,12 @@ def _lines(ensemble):
     results = ensemble.results
     figure, axes = plots.plt.subplots(len(results), 1, squeeze=False,
                                       figsize=(6.4, 1 + 3.2 * len(results)))
-    first = max(ensemble.about.parameters, key=lambda p: len(set(p.listed())))
+    wanted = ensemble.about.smallest
+    first = wanted.parameter if wanted else max(ensemble.about.parameters,
+                                                key=lambda p: len(set(p.listed())))
     grid = ensemble.about.sampling == "grid"
-    apart = [p for p in ensemble.about.parameters if grid and p is not first]
+    apart = [p for p in ensemble.about.parameters
+             if grid and p is not first and len(set(p.listed())) > 1]
     found = list(ensemble.estimates())
     for i, result in enumerate(results):
         a = axes[i][0]
@@ -74,9 +78,29 @@ def _lines(ensemble):
         a.set_ylabel(_label(ensemble, result))
         if result.yes_or_no():
             a.set_ylim(-0.05, 1.05)
+        if wanted and result is wanted.result:
+            _smallest(a, ensemble)
         if len(lines) > 1:
             a.legend()
     return figure
+
+
+def _smallest(axes, ensemble):
+    """The probability wanted, and where on it the parameter is, of every curve."""
+    wanted = ensemble.about.smallest
+    axes.axhline(wanted.probability, color=plots.INK, lw=0.8, ls=":")
+    curves = wanted.curves(ensemble)
+    for i, (rest, rows) in enumerate(curves):
+        value, low, high = wanted.find(rest, rows)
+        last = rows[-1][0]
+        y = wanted.probability + 0.012 * (i - (len(curves) - 1) / 2)
+        axes.plot([min(low, last), min(high, last)], [y, y], color=plots.COLOURS[i % 6], lw=4,
+                  alpha=0.4, solid_capstyle="butt")
+        if value < np.inf:
+            axes.plot(value, y, "|", color=plots.COLOURS[i % 6], ms=9, mew=2)
+    places = [p for p in wanted.places.values() if p > 0]
+    if max(places, default=1) > 20 * min(places, default=1):
+        axes.set_xscale("symlog", linthresh=min(places))
 
 
 def _scattered(ensemble):

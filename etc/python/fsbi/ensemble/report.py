@@ -5,6 +5,8 @@
 import csv
 import os
 
+import numpy as np
+
 from . import statistics
 
 
@@ -12,6 +14,8 @@ def write(ensemble):
     folder = ensemble.bench.folder
     table(ensemble, os.path.join(folder, "table.csv"))
     summary(ensemble, os.path.join(folder, "summary.csv"))
+    if ensemble.about.smallest:
+        smallest(ensemble, os.path.join(folder, "smallest.csv"))
     _tell_failures(ensemble)
     if ensemble.about.sampling == "Sobol":
         sensitivities(ensemble, os.path.join(folder, "sensitivities.csv"))
@@ -37,7 +41,7 @@ def table(ensemble, path):
 
 def summary(ensemble, path):
     """Of every group and result; printed, too."""
-    names = [p.name for p in ensemble.about.parameters] if not ensemble.about.drawn else []
+    names = list(ensemble.groups[0].settings)
     rows = []
     for group, result, values, (value, low, high) in ensemble.estimates():
         failed = sum(bool(m.failed) for m in group.counting())
@@ -61,6 +65,32 @@ def sentence(ensemble, group, result, values, estimate):
     band = f" ({low:.3g} to {high:.3g})" if low == low else ""
     left = len(group.members) - len(group.counting())
     return text + band + (f"; {left} more were not needed" if left else "")
+
+
+def smallest(ensemble, path):
+    """Of every curve; printed, too."""
+    about = ensemble.about
+    wanted, rows = about.smallest, []
+    for rest, points in wanted.curves(ensemble):
+        found = wanted.find(rest, points)
+        rows.append([*rest.values(), wanted.result.name, wanted.side, f"{wanted.probability:g}",
+                     *(f"{v:.10g}" for v in found)])
+        head = ", ".join(f"{k} {v}" for k, v in rest.items())
+        print(f"    {head + ': ' if head else ''}{_least(wanted, found, points)}")
+    names = list(rest) if rows else []
+    write_table(path, [*names, "quantity", "side", "probability", wanted.name, "low", "high"],
+                rows)
+
+
+def _least(wanted, found, points):
+    what = f"{wanted.name} for a probability of {wanted.result.name} {wanted.side} " \
+        f"{wanted.probability:g}"
+    last = f"{points[-1][0]:g}"
+    low = f"{found.low:.3g}" if found.low < np.inf else last
+    high = f"{found.high:.3g}" if found.high < np.inf else f"more than {last}, the largest run"
+    if found.value == np.inf:
+        return f"smallest {what}: more than {last}, the largest run (at least {low})"
+    return f"smallest {what}: {found.value:.3g} ({low} to {high})"
 
 
 def _tell_failures(ensemble):

@@ -52,7 +52,7 @@ class Parameter(Varied):
 
     def __init__(self, name, given, sampling):
         given.only(*WORDS)
-        super().__init__(name, _entries(given), shown(given.get("form", "{}")))
+        super().__init__(name, pairs(given, "entry"), shown(given.get("form", "{}")))
         if "{}" not in self.form:
             given.refuse(f"form '{self.form}' has no {{}} where the value is to stand")
         self.given = given
@@ -102,13 +102,14 @@ class Parameter(Varied):
         return f"{value:.10g}"
 
 
-def _entries(given):
-    texts = given.get("entry")
+def pairs(given, word):
+    """Of \"FILE:ENTRY\" or a list of them."""
+    texts = given.get(word)
     found = []
     for text in texts if isinstance(texts, list) else [texts]:
         file, colon, entry = text.partition(":")
         if not colon or not entry:
-            given.refuse(f"entry '{text}' is not \"FILE:ENTRY\", with the quotes")
+            given.refuse(f"{word} '{text}' is not \"FILE:ENTRY\", with the quotes")
         found.append((file, entry))
     return found
 

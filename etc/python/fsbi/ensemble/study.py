@@ -72,18 +72,17 @@ class Ensemble:
             rows = sampling.plan(about.sampling, self.parameters, about.samples)
             self.groups = [Group({})]
             for row in rows:
-                self._add(self.groups[0], row)
+                self._add(self.groups[0], dict(zip((p.name for p in self.parameters), row)))
             return
         points = sampling.plan(about.sampling, about.parameters, None)
         names = [p.name for p in about.parameters]
-        self.groups = [Group(dict(zip(names, point))) for point in points]
+        self.groups = [Group(about.complete(dict(zip(names, point)))) for point in points]
         # a seed for all points, then the next: what is there early says most
         for seed in about.seed.listed() if about.seed else [None]:
-            for group, point in zip(self.groups, points):
-                self._add(group, point if seed is None else [*point, seed])
+            for group in self.groups:
+                self._add(group, {**group.settings, **({} if seed is None else {"seed": seed})})
 
-    def _add(self, group, row):
-        settings = dict(zip((p.name for p in self.parameters), row))
+    def _add(self, group, settings):
         member = Member(len(self.members) + 1, settings)
         member.group = group
         group.members.append(member)

@@ -78,10 +78,12 @@ class Dictionary:
         return int(value)
 
     def pair(self, word):
-        values = self.list(word)
-        if len(values) != 2:
+        if len(self.list(word)) != 2:
             self.refuse(f"'{word}' is to be two numbers: {word} (A B);")
-        return [self._number(word, v) for v in values]
+        return self.numbers(word)
+
+    def numbers(self, word):
+        return [self._number(word, v) for v in self.list(word)]
 
     def _number(self, word, value):
         try:
@@ -89,11 +91,15 @@ class Dictionary:
         except (TypeError, ValueError):
             self.refuse(f"'{word}' is to be a number, not '{shown(value)}'")
 
-    def sections(self, word):
-        """Its sub-dictionaries by their names."""
+    def section(self, word):
         section = self.values.get(word)
         if not isinstance(section, Dictionary):
             self.refuse(f"'{word}' is to be a sub-dictionary: {word} {{ ... }}")
+        return section
+
+    def sections(self, word):
+        """Its sub-dictionaries by their names."""
+        section = self.section(word)
         for name, value in section.values.items():
             if not isinstance(value, Dictionary):
                 section.refuse(f"'{name}' is to be a sub-dictionary: {name} {{ ... }}")
