@@ -263,6 +263,7 @@ Foam::fsbi::outcome Foam::fsbi::solute::advance
         return solved;
     }
     account(flux, dt, transport);
+    next_.residual = transport.left();
     scalar decayed = 0;
     scalarField amounts(transport.amounts(decayed));
     next_.decayed += decayed;

@@ -158,9 +158,9 @@ void Foam::fsbi::solute::declare(recording& history) const
         name_/"balance",
         {
             "fluid", "released", "takenUp", "entered", "decayed", "displaced",
-            "error", "min", "max", "levelled"
+            "error", "min", "max", "levelled", "residual"
         },
-        "N, N, N, N, N, N, -, N/L^3, N/L^3, N"
+        "N, N, N, N, N, N, -, N/L^3, N/L^3, N, -"
     );
     for (const soluteSurface& surface : surfaces_)
     {
@@ -182,7 +182,8 @@ void Foam::fsbi::solute::record(recording& history) const
         scalarList
         ({
             amount(), now_.released, now_.takenUp, now_.entered, now_.decayed,
-            now_.displaced, imbalance(), gMin(now_.c), gMax(now_.c), now_.moved
+            now_.displaced, imbalance(), gMin(now_.c), gMax(now_.c), now_.moved,
+            now_.residual
         })
     );
     forAll(surfaces_, s)

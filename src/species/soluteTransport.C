@@ -326,6 +326,7 @@ Foam::fsbi::outcome Foam::fsbi::soluteTransport::solve
             settled || gMax(mag(dc)()) <= sameConcentration*gMax(mag(c)());
     }
     residual(c.cdata(), 1, r.begin());
+    left_ = norm(r)/max(norm(scalarField(V*c)), VSMALL);
     return outcome();
 }
 

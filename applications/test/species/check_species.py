@@ -47,6 +47,16 @@ def bounds(case):
             and held.min() >= 0 and held.max() <= 0.5)
 
 
+def told(case):
+    """What steps leave of the equations."""
+    # bound: of a uniform one the limits do nothing, and the equations are solved to the
+    # tolerance; of the blob they may not settle, which is no more than 1e-3 of the amounts
+    # where the levelled part of a step is of the per cent
+    even, blob = (table(case, f"{name}/balance")["residual"] for name in ("even", "blob"))
+    return (blob.max() > 0 and no_more("of the uniform one", even.max(), 1e-9)
+            and no_more("of the blob", blob.max(), 1e-3))
+
+
 def released(case):
     t = table(case, "drug/surfaces/cell")
     rates = t["released"] / t["time"]
