@@ -48,9 +48,14 @@ def pair(edge):
                 seconds=run.seconds, cells=run.cells)
 
 
-wall(1.4)
-wall(1)
-if not quick:
-    pair(1)
-results.write()
-sys.exit(results.check())
+def main():
+    wall(1.4)
+    wall(1)
+    if not quick:
+        pair(1)
+    results.write()
+    sys.exit(results.check())
+
+
+if __name__ == "__main__":
+    main()
