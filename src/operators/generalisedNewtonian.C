@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "generalisedNewtonian.H"
+#include "sharedVertices.H"
 
 Foam::fsbi::generalisedNewtonian::generalisedNewtonian
 (
@@ -15,6 +16,7 @@ Foam::fsbi::generalisedNewtonian::generalisedNewtonian
 :
     secondOrderStokes(mesh, law.viscosity(0), velocityGiven, s),
     law_(law),
+    faces_(stencil_.meshFaces()),
     inner_(stencil_.owner().size()),
     boundary_(nBoundaryFaces())
 {
@@ -64,11 +66,33 @@ Foam::symmTensor Foam::fsbi::generalisedNewtonian::innerRate
     const label i
 ) const
 {
-    const scalar w = faceOf(i).weight();
-    return symm
+    const face& f = mesh_.faces()[faces_[i]];
+    symmTensor sum(Zero);
+    for (const label v : f)
+    {
+        sum += vertexRates_[v];
+    }
+    return sum/f.size();
+}
+
+
+void Foam::fsbi::generalisedNewtonian::setVertexRates() const
+{
+    const labelList& start = stencil_.vertexStart();
+    const labelList& cell = stencil_.vertexCell();
+    const scalarList& weight = stencil_.vertexWeight();
+    vertexRates_.setSize(mesh_.nPoints());
+    forAll(vertexRates_, v)
+    {
+        vertexRates_[v] = Zero;
+        for (label i = start[v]; i < start[v + 1]; ++i)
+        {
+            vertexRates_[v] += weight[i]*symm(cellGradient(cell[i]));
+        }
+    }
+    sharedVertices::sum<6>
     (
-        w*cellGradient(stencil_.owner()[i])
-      + (1 - w)*cellGradient(stencil_.neighbour()[i])
+        mesh_, vertexRates_.begin()->v_, stencil_.halo().size()
     );
 }
 
@@ -224,6 +248,7 @@ void Foam::fsbi::generalisedNewtonian::residual
 ) const
 {
     setFlow(x, b);
+    setVertexRates();
     setViscosities();
     setSheared(b);
     addFaces(b, r, traction);
@@ -248,6 +273,7 @@ void Foam::fsbi::generalisedNewtonian::applyDerivative
 ) const
 {
     setFlow(x, b);
+    setVertexRates();
     addFaces(b, r, traction);
     const auto change = []
     (
