@@ -229,7 +229,7 @@ void Foam::fsbi::generalisedNewtonian::addBoundary
         traction[i] += t;
         return;
     }
-    // the normal stress beyond that of the mean viscosity asks for another
+    // the normal stress beyond that of the smallest viscosity asks for another
     // pressure, see secondOrderStokes::withTraction()
     const wallGradient at(wall(facei));
     const scalar flux = -2*stabilisation_[P]*(t & at.normal())/at.distance();

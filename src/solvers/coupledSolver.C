@@ -247,7 +247,7 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
     vectorField& traction
 )
 {
-    const bool stale = system_->set(problem);
+    const bool stale = system_->set(problem, cells);
     still_ = lagged_ || problem.still;
     if (!newton_)
     {
@@ -266,7 +266,6 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
         newton_->renewPreconditioner();
     }
     scalarList x(system_->packed(cells));
-    system_->scaleAt(x);
     if (first || problem.mayTouch)
     {
         // corrections that bodies' touching cuts short have nothing to teach

@@ -32,7 +32,10 @@ Foam::fsbi::coupledSystem::coupledSystem
 {}
 
 
-bool Foam::fsbi::coupledSystem::set(const flowProblem& problem)
+bool Foam::fsbi::coupledSystem::set
+(
+    const flowProblem& problem, const scalarList& cells
+)
 {
     given_ = &problem.given;
     bodies_ = &problem.bodies;
@@ -48,6 +51,14 @@ bool Foam::fsbi::coupledSystem::set(const flowProblem& problem)
     effects_.clear();
     corners_.clear();
     shapes_.clear();
+    if (stokes.varies())
+    {
+        // not those of whatever was evaluated last, which a restart does not know
+        const scalarList x(packed(cells));
+        scalarList rows(x.size());
+        residual(x.cdata(), rows.begin());
+        scales_ = rowScales(momentum_, problem.bodies, elastic_);
+    }
     if (!problem.acting.empty())
     {
         effects_.reset
@@ -59,17 +70,6 @@ bool Foam::fsbi::coupledSystem::set(const flowProblem& problem)
         );
     }
     return setSprings();
-}
-
-
-void Foam::fsbi::coupledSystem::scaleAt(const scalarList& x)
-{
-    if (momentum_.viscous().varies())
-    {
-        scalarList rows(x.size());
-        residual(x.cdata(), rows.begin());
-        scales_ = rowScales(momentum_, *bodies_, elastic_);
-    }
 }
 
 
