@@ -106,12 +106,20 @@ def soft():
     results.add("parallel_difference_abs", difference("parallel", "thinning"), 0, 1e-5, procs=2)
 
 
+def adhering():
+    whole, parts = (Case(f"runs/{name}").velocity("tumourCell")
+                    for name in ("aggregate", "aggregateContinued"))
+    # bound: a restart knows all, also by which viscosities rows were scaled
+    results.add("aggregate_continued_abs", np.abs(whole - parts).max(), 0, 0)
+
+
 def main():
     for name in ("Carreau10", "powerLaw") if quick else FLUIDS:
         sphere(name)
     published()
     plates()
     soft()
+    adhering()
     results.write()
 
 
