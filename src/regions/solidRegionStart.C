@@ -302,6 +302,17 @@ void Foam::fsbi::solidRegion::checkLiquid(const bool mixed) const
             << "/fvSolution, order 2, formulation totalLagrangian and mixed yes,"
             << " as they are by default" << exit(FatalIOError);
     }
+    if
+    (
+        material_->flows()
+     && !materialEntries_.subOrEmptyDict("cortex").found("type")
+    )
+    {
+        FatalIOErrorInFunction(materialEntries_)
+            << "Body '" << name() << "' is of a liquid, which needs a 'cortex'"
+            << " with a 'type' of elastic law around it: a tension alone does not"
+            << " hold the surface's triangles" << exit(FatalIOError);
+    }
 }
 
 

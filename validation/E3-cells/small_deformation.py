@@ -28,7 +28,7 @@ E = np.array([1, -0.5])         # along the axis and across
 def energy_per_area(law, shear, area, tension):
     """Of the trace T and determinant d of C, as of membraneLaw; by what its papers say, not
     by its derivatives."""
-    def W(T, d):
+    def energy(T, d):
         J = np.sqrt(d)
         work = tension * J
         if law == "Skalak":
@@ -39,7 +39,7 @@ def energy_per_area(law, shear, area, tension):
         elif law == "EvansSkalak":
             work = work + shear * (T / J / 2 - 1) + area / 2 * (J - 1)**2
         return work
-    return W
+    return energy
 
 
 def surface_energy(W, P, Q, pressure):
@@ -100,12 +100,12 @@ def deformation(law=None, shear=0, area=0, tension=0, solid=None):
     return (P + Q) / 2
 
 
-def laplace_stretch(tension, radius, E_solid, nu):
+def laplace_stretch(tension, radius, young, nu):
     """Of a neo-Hookean sphere with a surface tension, in a fluid without pressure: its stress
     mu (s - 1/s) + 3 lambda ln(s)/s bears 2 tension s/radius, by area of the sphere free of
     stress."""
     from scipy.optimize import brentq
-    mu = E_solid / 2 / (1 + nu)
+    mu = young / 2 / (1 + nu)
     lam = 2 * mu * nu / (1 - 2 * nu)
     return brentq(lambda s: mu * (s - 1 / s) + 3 * lam * np.log(s) / s
                   + 2 * tension * s / radius, 0.2, 1)
