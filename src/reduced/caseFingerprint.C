@@ -48,6 +48,14 @@ static std::string contentOf(const fileName& file)
     return os.str();
 }
 
+
+static string textOf(const SHA1& sum)
+{
+    OStringStream digest;
+    digest << sum.digest();
+    return digest.str();
+}
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -70,13 +78,11 @@ Foam::string Foam::fsbi::caseFingerprint
         sum.append(os.str());
     }
     const fileName root(time.globalPath());
-    const fileName start(root/"0.orig"/"fluid"/"U");
     for
     (
         const fileName& file :
         {
             root/"constant"/"fluid"/"material",
-            isFile(start) ? start : root/"0"/"fluid"/"U",
             root/"system"/"blockMeshDict",
             root/"system"/"domainDict",
             root/"system"/"remeshDict"
@@ -86,7 +92,15 @@ Foam::string Foam::fsbi::caseFingerprint
         sum.append(file.name() + ' ');
         sum.append(contentOf(file));
     }
-    OStringStream digest;
-    digest << sum.digest();
-    return digest.str();
+    return textOf(sum);
+}
+
+
+Foam::string Foam::fsbi::flowFingerprint(const Time& time)
+{
+    // a run writes its start to 0: only 0.orig stays as the user has it
+    const fileName start(time.globalPath()/"0.orig"/"fluid"/"U");
+    SHA1 sum;
+    sum.append(contentOf(start));
+    return isFile(start) ? textOf(sum) : string();
 }

@@ -95,7 +95,7 @@ Foam::fsbi::reducedFlow::reducedFlow
     (
         time.globalPath()
        /entries.getOrDefault<fileName>("table", "constant/reduced.h5"),
-        bodies[0].name(), caseFingerprint(time, bodies)
+        bodies[0].name(), caseFingerprint(time, bodies), flowFingerprint(time)
     ),
     every_(entries.found("check") ? entries.count("check", 1) : 0),
     tolerance_(entries.tolerance("tolerance", 0.05))

@@ -112,7 +112,10 @@ void Foam::fsbi::reducedTable::refuse(const string& why) const
 
 Foam::fsbi::reducedTable::reducedTable
 (
-    const fileName& file, const word& body, const string& fingerprint
+    const fileName& file,
+    const word& body,
+    const string& fingerprint,
+    const string& flow
 )
 :
     file_(file)
@@ -135,13 +138,17 @@ Foam::fsbi::reducedTable::reducedTable
     {
         refuse("is of body '" + of + "', not of '" + body + "'");
     }
-    if (textOf(opened, "fingerprint") != fingerprint)
+    if
+    (
+        textOf(opened, "fingerprint") != fingerprint
+     || textOf(opened, "flow") != flow
+    )
     {
         refuse
         (
             "is of another case: since it was made the body's shape,"
-            " constant/fluid/material, 0/fluid/U, system/blockMeshDict or"
-            " remeshDict have changed. Make it anew by fsbiReduce"
+            " constant/fluid/material, 0.orig/fluid/U, system/blockMeshDict or"
+            " remeshDict has changed. Make it anew by fsbiReduce"
         );
     }
 }

@@ -2,12 +2,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """constant/reduced.h5, which method 'reduced' reads: see src/reduced/reducedTable.H."""
 
+import hashlib
 import os
 
 import h5py
 import numpy as np
 
 FILE = "constant/reduced.h5"
+
+
+def _flow(case):
+    """A digest of the flow's conditions; a run overwrites those of the folder 0."""
+    path = os.path.join(case, "0.orig", "fluid", "U")
+    if not os.path.isfile(path):
+        return ""
+    with open(path, "rb") as file:
+        return hashlib.sha1(file.read()).hexdigest()
 
 
 def write(study, surrogate):
@@ -26,7 +36,8 @@ def write(study, surrogate):
     with h5py.File(path + ".part", "w") as file:
         for name, values in tables.items():
             file[name] = np.asarray(values, float)
-        for name, text in (("fingerprint", study.fingerprint), ("body", about.name)):
+        for name, text in (("fingerprint", study.fingerprint), ("body", about.name),
+                           ("flow", _flow(study.bench.case))):
             file.attrs[name] = np.array([text.encode()])
     os.replace(path + ".part", path)
     return path
