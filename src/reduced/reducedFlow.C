@@ -77,7 +77,8 @@ Foam::autoPtr<Foam::fsbi::reducedFlow> Foam::fsbi::reducedFlow::New
             << " bodies. Valid choices are here (coupled SIMPLEC)"
             << exit(FatalIOError);
     }
-    const checkedDictionary entries(coupling.subOrEmptyDict("reduced"));
+    const dictionary own(coupling.subOrEmptyDict("reduced"));
+    const checkedDictionary entries(own);
     autoPtr<reducedFlow> flow(new reducedFlow(time, bodies, entries));
     entries.finish();
     return flow;

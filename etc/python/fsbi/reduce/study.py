@@ -3,6 +3,7 @@
 """Samples of the resistance of a body beside a wall, and their runs."""
 
 import csv
+import hashlib
 import os
 import re
 import sys
@@ -10,15 +11,43 @@ import time
 
 import numpy as np
 
-from fsbi.studies import Refused
-from fsbi.studies.runs import Failed
+from fsbi.studies import Refused, dictionary
+from fsbi.studies.runs import Bench, Failed
 from fsbi.studies.spread import duration, spread
 
 from . import frames
 
 APPLICATION = "fsbiResistance"
+SOLUTION = "system/fluid/fvSolution"
+UNSEEN = ("system/controlDict", "constant/bodies", SOLUTION)
 # a flow whose loads on the body are that part of those of its motion is none
 NO_FLOW = 1e-9
+
+
+class ResistanceBench(Bench):
+    """Samples do not depend on how long a case runs, what acts on its body, or whether
+    it is run by the table."""
+
+    def _digest(self):
+        sha = hashlib.sha256(self.prepare.encode())
+        for name in self.entries.keywords("constant/bodies", ""):
+            shape = self.entries.get("constant/bodies", f"{name}/shape")
+            sha.update(f"{name} {shape}".encode())
+        for file in self.files():
+            if file in UNSEEN:
+                continue
+            with open(self.entries.path(file), "rb") as f:
+                sha.update(file.encode() + f.read())
+        sha.update(_solution(self.case).encode())
+        return sha.hexdigest()
+
+
+def _solution(case):
+    """What of it is part of a sample, however it is written."""
+    coupling = dictionary.read(case, SOLUTION).values.get("coupling")
+    values = coupling.values if coupling else {}
+    return str(sorted((word, str(value)) for word, value in values.items()
+                      if word not in ("method", "reduced")))
 
 
 class Setting:
