@@ -240,7 +240,7 @@ Foam::scalarList Foam::fsbi::reducedTable::functions
 
 Foam::fsbi::outcome Foam::fsbi::reducedTable::at
 (
-    const placement& p, resistance& r
+    const placement& p, heldBody& r
 ) const
 {
     const configuration c(of(p));
