@@ -61,6 +61,7 @@ Foam::autoPtr<Foam::fsbi::solidMaterial> Foam::fsbi::solidMaterial::New
             << exit(FatalIOError);
     }
     autoPtr<solidMaterial> law(constructor()(entries));
+    entries.found("cortex");    // of its surface, which the operator reads
     entries.finish();
     return law;
 }

@@ -31,20 +31,18 @@ Foam::fsbi::solidRegion::solidRegion
     time_(site.time),
     timings_(site.clocks),
     body_(site.name, dict),
-    material_
+    materialEntries_
     (
-        solidMaterial::New
+        IOdictionary
         (
-            IOdictionary
+            IOobject
             (
-                IOobject
-                (
-                    "material", time_.caseConstant(), site.name, time_,
-                    IOobject::MUST_READ, IOobject::NO_WRITE, false
-                )
+                "material", time_.caseConstant(), site.name, time_,
+                IOobject::MUST_READ, IOobject::NO_WRITE, false
             )
         )
     ),
+    material_(solidMaterial::New(materialEntries_)),
     inFluid_(site.inFluid),
     tethered_(Zero),
     fluidForce_(Zero),
@@ -143,6 +141,10 @@ void Foam::fsbi::solidRegion::create(const bool saved)
         order_, mesh(), material_(), conditions_->given().kinds, formulation_,
         mixed
     );
+    if (materialEntries_.found("cortex"))
+    {
+        elastic_->setCortex(materialEntries_.subDict("cortex"));
+    }
     volumes_ += elastic_->volumesOnFacets();
     x_.setSize(elastic_->size(), 0);
     increment_ = x_;

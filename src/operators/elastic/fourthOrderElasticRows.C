@@ -353,6 +353,7 @@ void Foam::fsbi::fourthOrderElastic::residual
             boundaryForce_[g] -= throughStrips(g, stress);
         }
     }
+    addCortex(r);
 }
 
 
@@ -425,4 +426,5 @@ void Foam::fsbi::fourthOrderElastic::applyJacobian
     }
     addStrips(stress, atGhosts);
     addBoundaryRows(along_, force, atGhosts, dr);
+    addCortexTangent(dr);
 }

@@ -286,6 +286,7 @@ void Foam::fsbi::secondOrderElastic::residual
         }
         addPressures(volume, state_.pressure(), r);
     }
+    addCortex(r);
 }
 
 
@@ -333,6 +334,7 @@ void Foam::fsbi::secondOrderElastic::applyJacobian(const scalar* dx, scalar* dr)
     {
         addPressures(volume, dPressure_, dr);
     }
+    addCortexTangent(dr);
 }
 
 
