@@ -88,10 +88,10 @@ Foam::vector Foam::fsbi::fourthOrderElastic::held(const label i) const
 
 void Foam::fsbi::fourthOrderElastic::beginStep
 (
-    const scalar deltaT, const bool inertia
+    const scalar deltaT, const scalar oldDeltaT, const bool inertia
 )
 {
-    elasticOperator::beginStep(deltaT, inertia);
+    elasticOperator::beginStep(deltaT, oldDeltaT, inertia);
     damping_ =
         inertia
       ? jumpViscosity*sqrt(material_.mu()*material_.density())/deltaT
