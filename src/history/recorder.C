@@ -72,7 +72,7 @@ void Foam::fsbi::recorder::declare()
     {
         scene_.carried()->declare(ofSpecies_);
     }
-    if (scene_.hasFluid())
+    if (solvesFlow())
     {
         ends_ = scene_.fluid().endPatches();
     }
@@ -96,10 +96,16 @@ void Foam::fsbi::recorder::declare()
 }
 
 
+bool Foam::fsbi::recorder::solvesFlow() const
+{
+    return scene_.hasFluid() && !scene_.fluid().reduced();
+}
+
+
 bool Foam::fsbi::recorder::estimatesError() const
 {
     return
-        scene_.hasFluid()
+        solvesFlow()
      && scene_.fluid().error().expected(scene_.fluid().stokes());
 }
 
@@ -146,7 +152,7 @@ void Foam::fsbi::recorder::declareMotion
 
 void Foam::fsbi::recorder::declareStresslet(const fileName& path)
 {
-    if (scene_.hasFluid())
+    if (solvesFlow())
     {
         history_.declare
         (

@@ -306,7 +306,7 @@ void Foam::fsbi::recorder::append
 {
     auto timer = scene_.clocks().measure("output");
     appendBodies();
-    if (scene_.hasFluid())
+    if (solvesFlow())
     {
         appendStresslets();
     }

@@ -60,12 +60,14 @@ Foam::fsbi::fluidMesh::fluidMesh
     const word& name,
     UPtrList<immersedBody>& bodies,
     timings& t,
-    const dictionary& saved
+    const dictionary& saved,
+    const bool withoutBodies
 )
 :
     time_(time),
     name_(name),
     bodies_(bodies),
+    withoutBodies_(saved.getOrDefault("withoutBodies", withoutBodies)),
     timings_(t),
     remeshDict_
     (
@@ -365,7 +367,7 @@ void Foam::fsbi::fluidMesh::gather()
     present_.clear();
     for (immersedBody& body : bodies_)
     {
-        if (body.present())
+        if (body.present() && !withoutBodies_)
         {
             present_.append(&body);
         }
@@ -378,7 +380,7 @@ bool Foam::fsbi::fluidMesh::holdsOthers() const
     wordList now;
     for (const immersedBody& body : bodies_)
     {
-        if (body.present())
+        if (body.present() && !withoutBodies_)
         {
             now.append(body.name());
         }
@@ -529,6 +531,7 @@ void Foam::fsbi::fluidMesh::save(dictionary& state) const
     state.set("referenceGap", referenceGap_);
     state.set("fresh", fresh_.dict());
     state.set("generation", generation_);
+    state.set("withoutBodies", withoutBodies_);
 }
 
 

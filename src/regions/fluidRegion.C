@@ -24,7 +24,8 @@ Foam::fsbi::fluidRegion::fluidRegion
     timings_(t),
     rigidBodies_(rigidBodies),
     material_(readMaterial(time, name)),
-    mesh_(time, name, bodies, t, savedMesh),
+    reduced_(reducedFlow::New(time, name, rigidBodies, bodies.size())),
+    mesh_(time, name, bodies, t, savedMesh, bool(reduced_)),
     conditions_(time, mesh_),
     error_(mesh_)
 {
@@ -50,6 +51,7 @@ Foam::fsbi::fluidRegion::fluidRegion
     );
     createOperators();
     conditions_.evaluate(U_(), stokes(), given_);      // mistakes show now
+    checkReduced();
     momentum_->restore(savedMesh.subOrEmptyDict("momentum"), x_, given_);
     if (momentum_->terms().size())
     {
@@ -99,12 +101,20 @@ void Foam::fsbi::fluidRegion::restore(const dictionary& saved)
     (
         U_(), saved.getOrDefault<vector>("startVelocity", Zero)
     );
+    if (reduced_)
+    {
+        reduced_->restore(saved);
+    }
 }
 
 
 void Foam::fsbi::fluidRegion::save(dictionary& state) const
 {
     mesh_.save(state);
+    if (reduced_)
+    {
+        reduced_->save(state);
+    }
     state.set("startVelocity", conditions_.startVelocity());
     dictionary memory;
     momentum_->save(memory);
@@ -231,6 +241,15 @@ void Foam::fsbi::fluidRegion::renew
 
 Foam::fsbi::outcome Foam::fsbi::fluidRegion::follow()
 {
+    return
+        reduced_
+      ? reduced_->place(rigidBodies_[0].placed())
+      : followMesh();
+}
+
+
+Foam::fsbi::outcome Foam::fsbi::fluidRegion::followMesh()
+{
     const label generation = mesh_.generation();
     const outcome followed = mesh_.follow
     (
@@ -303,6 +322,10 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
 {
     evaluateEffects({});
     auto timer = timings_.measure("solve");
+    if (reduced_)
+    {
+        return reduced_->solve(rows, acting_, loads);
+    }
     const solverReport report
     (
         solver_->solve(problem(rows, {}), x_, traction_)

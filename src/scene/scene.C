@@ -370,7 +370,7 @@ void Foam::fsbi::scene::renewSolvers()
 
 Foam::scalar Foam::fsbi::scene::smallestGap() const
 {
-    return fluid_ ? fluid_->meshing().smallestGap() : GREAT;
+    return fluid_ ? fluid_->smallestGap() : GREAT;
 }
 
 
@@ -398,7 +398,7 @@ Foam::List<Foam::fsbi::unseenPatch> Foam::fsbi::scene::unseen() const
 
 Foam::string Foam::fsbi::scene::unresolved(const scalar gap) const
 {
-    return fluid_ ? fluid_->meshing().unresolved(gap) : string();
+    return fluid_ ? fluid_->unresolved(gap) : string();
 }
 
 

@@ -205,6 +205,13 @@ void Foam::fsbi::scene::createCarried(const dictionary& saved)
             << "What constant/species names is dissolved in a fluid, but there is"
             << " no file constant/fluid/material" << exit(FatalError);
     }
+    if (fluid_->reduced())
+    {
+        FatalErrorInFunction
+            << "What constant/species names is carried by a flow, but method"
+            << " 'reduced' (system/fluid/fvSolution) solves for none: take"
+            << " 'coupled'" << exit(FatalError);
+    }
     carried_ = carriedByFlow::New(fluid_(), saved);
     fluid_->setCarried(carried_());
     Info<< "Dissolved species: " << flatOutput(carried_->names()) << nl << endl;

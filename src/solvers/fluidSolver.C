@@ -17,7 +17,7 @@ Foam::autoPtr<Foam::fsbi::fluidSolver> Foam::fsbi::fluidSolver::New
     (
         checkedDictionary(dict).choice
         (
-            "method", {"coupled", "SIMPLEC"}, "coupled"
+            "method", {"coupled", "SIMPLEC", "reduced"}, "coupled"
         )
     );
     if (method == "SIMPLEC")
@@ -32,6 +32,7 @@ Foam::autoPtr<Foam::fsbi::fluidSolver> Foam::fsbi::fluidSolver::New
         }
         return autoPtr<fluidSolver>(new SIMPLEC(mesh, momentum, dict));
     }
+    // of 'reduced', which has no flow to solve, this one makes the checks
     return autoPtr<fluidSolver>(new coupledSolver(momentum, dict));
 }
 
@@ -43,7 +44,7 @@ void Foam::fsbi::fluidSolver::knowOthers(const checkedDictionary& entries)
         const char* key
       : {
             "method", "order", "faceValues", "gradients", "scheme", "geometry",
-            "passes"
+            "passes", "reduced"
         }
     )
     {

@@ -36,6 +36,7 @@ Usage
 
 #include "petscObjects.H"
 #include "resistance.H"
+#include "caseFingerprint.H"
 #include "argList.H"
 #include "caseInput.H"
 #include "checkpoint.H"
@@ -286,6 +287,8 @@ int main(int argc, char *argv[])
     }
     Info<< nl << "Cells: " << scene.nCells() << nl
         << "Asymmetry: " << asymmetry(R) << nl
+        << "Fingerprint: "
+        << fsbi::caseFingerprint(runTime, scene.bodies().rigid).c_str() << nl
         << "Written: " << file << nl << layout.c_str() << nl << endl;
     scene.clocks().report(Info);
     Info<< "End" << nl << endl;

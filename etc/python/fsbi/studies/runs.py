@@ -28,7 +28,7 @@ from .entries import Entries
 from .quantities import summarise_fields
 
 MADE = re.compile(r"log\..*|postProcessing|processors?\d*.*|VTK|pictureVTK|runs|dynamicCode"
-                  r"|accuracyCost|ensemble|optimise|.*\.(png|md|h5.*|py|csv)|Allrun|Allclean"
+                  r"|accuracyCost|ensemble|optimise|reduce|.*\.(png|md|h5.*|py|csv)|Allrun|Allclean"
                   r"|.*\.foam|__pycache__")
 # signals by which a person or a batch system ends a program
 OUTSIDE = (signal.SIGINT, signal.SIGTERM, signal.SIGKILL, signal.SIGHUP, signal.SIGXCPU)
