@@ -36,7 +36,8 @@ PARTS = {
     "forces": ("fluid/material", "drive { type uniform; value (1e-5 0 0); }"),
     "gravity": ("fluid/material",
                 "g { type gravity; density 1; acceleration (0 -9.81e-6 0); }"),
-    "species": ("species", "diffusivity 0.1; initial 1; surfaces { a { type release; rate 0.1; } }"),
+    "species": ("species",
+                "diffusivity 0.1; initial 1; surfaces { a { type release; rate 0.1; } }"),
 }
 NAMES = {"species": "drug", "gravity": "forces"}
 # By the READMEs of thermalMotion, its fluid has no memory, and of weight, gravity would
@@ -100,8 +101,10 @@ def files(folder):
         for file in names:
             path = os.path.join(top, file)
             with open(path, "rb") as f:
-                # the checkpoint's first line is the time of the day
-                found[os.path.relpath(path, folder)] = f.read().split(b"\n", file == "checkpoint")[-1]
+                text = f.read()
+            # the checkpoint's first line is the time of the day
+            skipped = 1 if file == "checkpoint" else 0
+            found[os.path.relpath(path, folder)] = text.split(b"\n", skipped)[-1]
     return found
 
 
@@ -133,6 +136,12 @@ def test_loads_are_balanced(codes, pair):
         fluid, effects = np.array(parts)
         bound = 1e-3 * abs(effects).max() if effects.any() else 1e-6 * SHEAR
         assert abs(fluid + effects).max() < bound, load
+
+
+@pytest.mark.parametrize("part", [p for p in PARTS if PARTS[p][0] == "effects"])
+def test_acts(codes, part):
+    history = History(f"runs/{name((part, 'species'))}/postProcessing/history.h5")
+    assert all(history[f"bodies/{b}/force/effects"].array[:, 1:].any() for b in "ab")
 
 
 @pytest.mark.parametrize("pair", REFUSED, ids=name)
