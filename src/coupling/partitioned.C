@@ -83,10 +83,10 @@ void Foam::fsbi::partitioned::checkParts() const
     }
     for (const elasticRows* body : elastic_)
     {
-        if (body->tethered())
+        if (body->tethered() || body->elastic->state().material().flows())
         {
             FatalErrorInFunction
-                << "Tethered bodies need the scheme 'monolithic' in 'coupling'"
+                << "Tethered bodies and those of a liquid need the scheme 'monolithic' in 'coupling'"
                 << " of system/fluid/fvSolution" << exit(FatalError);
         }
     }

@@ -15,7 +15,26 @@ namespace fsbi
 }
 }
 
+Foam::scalar Foam::fsbi::solidMaterial::densityOf
+(
+    const checkedDictionary& entries
+)
+{
+    return entries.found("density") ? entries.positive("density") : 0;
+}
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsbi::solidMaterial::solidMaterial(const scalar density)
+:
+    E_(0),
+    nu_(0.5),
+    mu_(0),
+    lambda_(GREAT),
+    density_(density),
+    viscosity_(0)
+{}
+
 
 Foam::fsbi::solidMaterial::solidMaterial(const checkedDictionary& entries)
 :
@@ -23,7 +42,7 @@ Foam::fsbi::solidMaterial::solidMaterial(const checkedDictionary& entries)
     nu_(entries.get<scalar>("nu")),
     mu_(0),
     lambda_(0),
-    density_(entries.found("density") ? entries.positive("density") : 0),
+    density_(densityOf(entries)),
     viscosity_(entries.getOrDefault<scalar>("viscosity", 0))
 {
     if (!(nu_ > -1 && nu_ < 0.5))
@@ -61,6 +80,7 @@ Foam::autoPtr<Foam::fsbi::solidMaterial> Foam::fsbi::solidMaterial::New
             << exit(FatalIOError);
     }
     autoPtr<solidMaterial> law(constructor()(entries));
+    entries.found("cortex");    // of its surface, which the operator reads
     entries.finish();
     return law;
 }

@@ -74,6 +74,7 @@ void Foam::fsbi::solidMeasures::setDeformation
         elastic += volumes[celli]*mean;
     }
     reduce(elastic, sumOp<scalar>());
+    elastic += solid.skin() ? solid.skin()->energy() : 0;
     reduce(minJ, minOp<scalar>());
     reduce(minStretch, minOp<scalar>());
     reduce(maxStretch, maxOp<scalar>());

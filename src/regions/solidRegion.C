@@ -332,7 +332,7 @@ void Foam::fsbi::solidRegion::beginStep()
 {
     const scalar dt = time_.deltaTValue();
     motion_->beginStep(dt);
-    elastic_->beginStep(dt, !isStatic());
+    elastic_->beginStep(dt, oldStep_, !isStatic());
     oldX_ = x_;
     if (oldStep_ > 0)
     {

@@ -31,20 +31,18 @@ Foam::fsbi::solidRegion::solidRegion
     time_(site.time),
     timings_(site.clocks),
     body_(site.name, dict),
-    material_
+    materialEntries_
     (
-        solidMaterial::New
+        IOdictionary
         (
-            IOdictionary
+            IOobject
             (
-                IOobject
-                (
-                    "material", time_.caseConstant(), site.name, time_,
-                    IOobject::MUST_READ, IOobject::NO_WRITE, false
-                )
+                "material", time_.caseConstant(), site.name, time_,
+                IOobject::MUST_READ, IOobject::NO_WRITE, false
             )
         )
     ),
+    material_(solidMaterial::New(materialEntries_)),
     inFluid_(site.inFluid),
     tethered_(Zero),
     fluidForce_(Zero),
@@ -138,11 +136,16 @@ void Foam::fsbi::solidRegion::create(const bool saved)
     (
         "mixed", order_ == 2 && material_->nu() >= 0.45
     );
+    checkLiquid(mixed);
     elastic_ = elasticOperator::New
     (
         order_, mesh(), material_(), conditions_->given().kinds, formulation_,
         mixed
     );
+    if (materialEntries_.found("cortex"))
+    {
+        elastic_->setCortex(materialEntries_.subDict("cortex"));
+    }
     volumes_ += elastic_->volumesOnFacets();
     x_.setSize(elastic_->size(), 0);
     increment_ = x_;
@@ -259,6 +262,26 @@ void Foam::fsbi::solidRegion::readOrder()
             << name() << "/fvSolution wants the same of the fluid around it:"
             << " give 'order 4' in 'coupling' of system/fluid/fvSolution, too,"
             << " or no 'order' in either" << exit(FatalError);
+    }
+}
+
+
+void Foam::fsbi::solidRegion::checkLiquid(const bool mixed) const
+{
+    if
+    (
+        material_->flows()
+     && !(
+            inFluid_ && mixed && order_ == 2
+         && formulation_ == constitutiveState::formulation::totalLagrangian
+        )
+    )
+    {
+        FatalIOErrorInFunction(materialEntries_)
+            << "Body '" << name() << "' is of a liquid, which wants a fluid"
+            << " around it and, in 'solid' of system/" << name()
+            << "/fvSolution, order 2, formulation totalLagrangian and mixed yes,"
+            << " as they are by default" << exit(FatalIOError);
     }
 }
 

@@ -18,13 +18,22 @@ void Foam::fsbi::solidRegion::visitState(const Visitor& visit)
     {
         visit("referenceF", elastic_->state().referenceF());
     }
-    if (moves() || (elastic_->dampsJumps() && !isStatic()))
+    if
+    (
+        moves()
+     || (elastic_->dampsJumps() && !isStatic())
+     || material_->flows()
+    )
     {
         visit("jumpHistory", elastic_->jumpHistory());
     }
-    if (material_->viscosity() > 0)
+    if (material_->viscosity() > 0 || material_->flows())
     {
         visit("oldF", elastic_->state().oldF());
+    }
+    if (material_->flows())
+    {
+        visit("olderF", elastic_->state().olderF());
     }
     motion_->fields
     (

@@ -9,12 +9,13 @@ Description
     Checks of the elastic operator and its solvers on every kind of cell:
     linear fields are exact, the derivative is that of the residual, rotation
     makes no stress, beams bend as they should, also where nothing can be
-    compressed, and all methods find the same.
+    compressed, and all methods find the same. A cortex and a liquid (skin.C).
 
 \*---------------------------------------------------------------------------*/
 
 #include "petscObjects.H"
 #include "beam.H"
+#include "skin.H"
 #include "checks.H"
 #include "argList.H"
 #include "mathematicalConstants.H"
@@ -135,7 +136,7 @@ static void checkTangent
 {
     elasticCase body(mesh, law, elasticCase::heldAndLoaded, form, mixed);
     body.giveLoads();
-    body.elastic->state().setStep(2);
+    body.elastic->state().setStep(2, 0);
     tensorField& prior = body.elastic->state().referenceF();
     for (label v = 0; form != formulation::totalLagrangian && v < prior.size(); ++v)
     {
@@ -432,6 +433,7 @@ int main(int argc, char *argv[])
         c, mesh(), "type linearElastic; E 1; nu 0.4; viscosity 0.3;",
         formulation::totalLagrangian, true
     );
+    checkSkin(c, mesh());
     checkDefinitions(c, mesh(), false);
     checkDefinitions(c, mesh(), true);
     checkRotationSteps(c, meshes, formulation::updatedLagrangian);

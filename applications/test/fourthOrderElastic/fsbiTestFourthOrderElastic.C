@@ -187,7 +187,7 @@ static void checkTangent(checks& c, const fvMesh& mesh, const word& law)
     );
     c.check(law + ": the law holds", body.elastic->valid());
     // what short waves are damped by, with a past of its own
-    body.elastic->beginStep(0.1, true);
+    body.elastic->beginStep(0.1, 0, true);
     body.elastic->jumpHistory() = vector(0.001, 0.002, -0.001);
     c.checkClose
     (
@@ -215,7 +215,7 @@ static void checkDamping
         }
         return sum;
     };
-    body.elastic->beginStep(0.1, true);
+    body.elastic->beginStep(0.1, 0, true);
     const scalar fresh = power();
     c.check("what the fits do not explain is damped where it is new", fresh > 0);
     body.elastic->endStep();

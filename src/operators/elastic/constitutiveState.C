@@ -42,6 +42,7 @@ Foam::fsbi::constitutiveState::constitutiveState
     formulation_(form),
     mixed_(mixed),
     deltaT_(GREAT),
+    rate_{1, -1, 0},
     valid_(true)
 {
     setSize(nPoints);
@@ -60,6 +61,7 @@ void Foam::fsbi::constitutiveState::setSize(const label nPoints)
 {
     referenceF_ = tensorField(nPoints, tensor::I);
     oldF_ = referenceF_;
+    olderF_ = referenceF_;
     F_ = referenceF_;
     gradient_ = tensorField(nPoints, Zero);
     pressure_ = scalarField(mixed_ ? nPoints : 0, Zero);
@@ -67,9 +69,26 @@ void Foam::fsbi::constitutiveState::setSize(const label nPoints)
 }
 
 
-void Foam::fsbi::constitutiveState::setStep(const scalar deltaT)
+void Foam::fsbi::constitutiveState::setStep
+(
+    const scalar deltaT, const scalar oldDeltaT
+)
 {
     deltaT_ = deltaT;
+    rate_[0] = 1/deltaT;
+    rate_[1] = -rate_[0];
+    rate_[2] = 0;
+    if (oldDeltaT > 0)
+    {
+        const scalar r = deltaT/oldDeltaT;
+        rate_[0] = (1 + 2*r)/((1 + r)*deltaT);
+        rate_[1] = -(1 + r)/deltaT;
+        rate_[2] = sqr(r)/((1 + r)*deltaT);
+    }
+    if (material_.flows())
+    {
+        return;
+    }
     const scalar least =
         material_.viscosity()/(mostViscous*material_.mu());
     if (deltaT < least)
@@ -83,9 +102,15 @@ void Foam::fsbi::constitutiveState::setStep(const scalar deltaT)
 }
 
 
+Foam::symmTensor Foam::fsbi::constitutiveState::rate(const strained& s) const
+{
+    return rate_[0]*symm(s.F.T() & s.F) + s.knownRate;
+}
+
+
 Foam::scalar Foam::fsbi::constitutiveState::stiffness() const
 {
-    const scalar mu = material_.mu();
+    const scalar mu = shearModulus();
     return mixed_ ? 4*mu/3 : mu + (mu + material_.lambda())/3;
 }
 
@@ -101,6 +126,10 @@ Foam::tensor Foam::fsbi::constitutiveState::lawStress(const strained& s) const
     if (material_.viscosity() > 0)
     {
         P += material_.viscousStress(s.F, rate(s.F - s.oldF));
+    }
+    if (material_.flows())
+    {
+        P += material_.flowStress(s.F, rate(s));
     }
     return P;
 }
@@ -126,6 +155,13 @@ Foam::tensor Foam::fsbi::constitutiveState::lawTangent
             s.F, rate(s.F - s.oldF), dF, rate(dF)
         );
     }
+    if (material_.flows())
+    {
+        dP += material_.flowTangent
+        (
+            s.F, rate(s), dF, twoSymm(rate_[0]*(s.F.T() & dF))
+        );
+    }
     return dP;
 }
 
@@ -135,7 +171,14 @@ Foam::fsbi::constitutiveState::strained Foam::fsbi::constitutiveState::total
     const label v
 ) const
 {
-    return {F_[v], oldF_[v], mixed_ ? pressure_[v] : 0};
+    strained s{F_[v], oldF_[v], mixed_ ? pressure_[v] : 0, Zero};
+    if (material_.flows())
+    {
+        s.knownRate =
+            rate_[1]*symm(oldF_[v].T() & oldF_[v])
+          + rate_[2]*symm(olderF_[v].T() & olderF_[v]);
+    }
+    return s;
 }
 
 
@@ -150,7 +193,8 @@ Foam::fsbi::constitutiveState::strained Foam::fsbi::constitutiveState::step
         tensor::I + gradient_[v], tensor::I,
         mixed_
       ? pressure_[v] + material_.lambda()*material_.theta(referenceF_[v])
-      : 0
+      : 0,
+        Zero
     };
 }
 
@@ -304,18 +348,19 @@ bool Foam::fsbi::constitutiveState::valid() const
 
 Foam::scalar Foam::fsbi::constitutiveState::normalStiffness() const
 {
-    return 2*material_.mu() + (mixed_ ? 0 : material_.lambda());
+    return 2*shearModulus() + (mixed_ ? 0 : material_.lambda());
 }
 
 
 Foam::scalar Foam::fsbi::constitutiveState::compliance() const
 {
-    return 1/material_.lambda() + 1/(2*material_.mu());
+    return 1/material_.lambda() + 1/(2*shearModulus());
 }
 
 
 void Foam::fsbi::constitutiveState::endStep()
 {
+    olderF_ = oldF_;
     oldF_ = F_;
     if (carriesOn())
     {

@@ -199,7 +199,7 @@ Foam::vector Foam::fsbi::elasticBoundary::ghostRow
     const vector n(normalised(stencil_.area()[i]));
     const vector excess(force/stencil_.compact()[i]);
     return
-        (excess - n*(n & excess))/state_.material().mu()
+        (excess - n*(n & excess))/state_.shearModulus()
       + n*(n & excess)/state_.normalStiffness();
 }
 
@@ -214,7 +214,7 @@ Foam::vector Foam::fsbi::elasticBoundary::ghostForce
     return
         stencil_.compact()[i]
        *(
-            state_.material().mu()*(row - n*(n & row))
+            state_.shearModulus()*(row - n*(n & row))
           + state_.normalStiffness()*n*(n & row)
         );
 }

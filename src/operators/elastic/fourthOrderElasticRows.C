@@ -88,10 +88,10 @@ Foam::vector Foam::fsbi::fourthOrderElastic::held(const label i) const
 
 void Foam::fsbi::fourthOrderElastic::beginStep
 (
-    const scalar deltaT, const bool inertia
+    const scalar deltaT, const scalar oldDeltaT, const bool inertia
 )
 {
-    elasticOperator::beginStep(deltaT, inertia);
+    elasticOperator::beginStep(deltaT, oldDeltaT, inertia);
     damping_ =
         inertia
       ? jumpViscosity*sqrt(material_.mu()*material_.density())/deltaT
@@ -353,6 +353,7 @@ void Foam::fsbi::fourthOrderElastic::residual
             boundaryForce_[g] -= throughStrips(g, stress);
         }
     }
+    addCortex(r);
 }
 
 
@@ -425,4 +426,5 @@ void Foam::fsbi::fourthOrderElastic::applyJacobian
     }
     addStrips(stress, atGhosts);
     addBoundaryRows(along_, force, atGhosts, dr);
+    addCortexTangent(dr);
 }

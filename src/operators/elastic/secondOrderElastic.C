@@ -116,9 +116,35 @@ Foam::vector Foam::fsbi::secondOrderElastic::unexplained
     const label i, const vectorField& values, const tensorField& gradient
 ) const
 {
+    const vector delta
+    (
+        material_.flows()
+      ? stencil_.delta()[i] : stencil_.delta()[i] - jumpHistory_[i]
+    );
     return
         values[stencil_.neighbour()[i]] - values[stencil_.owner()[i]]
-      - (stencil_.faceMean(i, gradient) & (stencil_.delta()[i] - jumpHistory_[i]));
+      - (stencil_.faceMean(i, gradient) & delta);
+}
+
+
+Foam::vector Foam::fsbi::secondOrderElastic::flowing(const label i) const
+{
+    const tensor F(stencil_.faceMean(i, state_.deformation()));
+    return F & ((F.T() & unexplained_[i]) - jumpHistory_[i]);
+}
+
+
+Foam::vector Foam::fsbi::secondOrderElastic::flowingTangent
+(
+    const label i, const vector& change
+) const
+{
+    const tensor F(stencil_.faceMean(i, state_.deformation()));
+    const tensor dF(stencil_.faceMean(i, dGradient_));
+    const vector& e = unexplained_[i];
+    return
+        (dF & ((F.T() & e) - jumpHistory_[i]))
+      + (F & ((dF.T() & e) + (F.T() & change)));
 }
 
 
@@ -127,7 +153,9 @@ void Foam::fsbi::secondOrderElastic::setStiffening()
     forAll(stiffening_, v)
     {
         stiffening_[v] =
-            material_.linear() ? 0 : strainStiffening(state_.deformation()[v]);
+            material_.linear() || material_.flows()
+          ? 0
+          : strainStiffening(state_.deformation()[v]);
     }
 }
 
@@ -138,7 +166,7 @@ Foam::scalar Foam::fsbi::secondOrderElastic::stiffeningTangent
 ) const
 {
     return
-        material_.linear()
+        material_.linear() || material_.flows()
       ? 0
       : strainStiffeningTangent(state_.deformation()[v], dF);
 }
@@ -154,7 +182,7 @@ void Foam::fsbi::secondOrderElastic::addFaces
 {
     const label nCells = mesh_.nCells();
     const label firstBoundary = stencil_.firstBoundary();
-    const scalar mu = material_.mu();
+    const scalar mu = state_.shearModulus();
     vector* row = asVectors(r);
 
     forAll(stencil_.owner(), i)
@@ -196,7 +224,7 @@ void Foam::fsbi::secondOrderElastic::addPressures
         }
         const scalar weight =
             smoothingScale*mesh_.cellVolumes()[celli]
-           /(points.size()*material_.mu());
+           /(points.size()*state_.shearModulus());
         for (const label v : points)
         {
             vertexRow_[v] += weight*(pressure[v] - mean);
@@ -250,7 +278,13 @@ void Foam::fsbi::secondOrderElastic::residual
     vectorField held(stencil_.nFaces());
     forAll(held, i)
     {
-        unexplained_[i] = jumpHistory_[i] + unexplained(i, values_, gradient);
+        unexplained_[i] = unexplained(i, values_, gradient);
+        if (material_.flows())
+        {
+            held[i] = stabilisation*flowing(i);
+            continue;
+        }
+        unexplained_[i] += jumpHistory_[i];
         held[i] =
             (stabilisation + stencil_.faceMean(i, stiffening_))*unexplained_[i];
     }
@@ -286,6 +320,7 @@ void Foam::fsbi::secondOrderElastic::residual
         }
         addPressures(volume, state_.pressure(), r);
     }
+    addCortex(r);
 }
 
 
@@ -309,9 +344,14 @@ void Foam::fsbi::secondOrderElastic::applyJacobian(const scalar* dx, scalar* dr)
     vectorField held(stencil_.nFaces());
     forAll(held, i)
     {
+        const vector change(unexplained(i, dValues_, dGradient_));
+        if (material_.flows())
+        {
+            held[i] = stabilisation*flowingTangent(i, change);
+            continue;
+        }
         held[i] =
-            (stabilisation + stencil_.faceMean(i, stiffening_))
-           *unexplained(i, dValues_, dGradient_)
+            (stabilisation + stencil_.faceMean(i, stiffening_))*change
           + stencil_.faceMean(i, dStiffening_)*unexplained_[i];
     }
     addFaces(dStress_, held, dBoundaryForce_, dr);
@@ -333,6 +373,7 @@ void Foam::fsbi::secondOrderElastic::applyJacobian(const scalar* dx, scalar* dr)
     {
         addPressures(volume, dPressure_, dr);
     }
+    addCortexTangent(dr);
 }
 
 
@@ -430,5 +471,10 @@ void Foam::fsbi::secondOrderElastic::endStep()
     if (state_.carriesOn())
     {
         jumpHistory_ = unexplained_;
+    }
+    for (label i = 0; material_.flows() && i < jumpHistory_.size(); ++i)
+    {
+        const tensor F(stencil_.faceMean(i, state_.deformation()));
+        jumpHistory_[i] = F.T() & unexplained_[i];
     }
 }

@@ -1,0 +1,111 @@
+# fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Small deformation of a sphere with a membrane on it in a slow shear flow.
+
+A sphere of radius 1 in a flow of rate E, slow enough for it to keep nearly its shape, turns
+with the flow; a fluid of viscosity mu pulls at it by 5 mu E.n, as at a rigid one. What it
+answers by is the displacement
+
+    u = P E.n + Q (n.E.n) n
+
+of its surface, and by the energies of the membrane and of the inside. That of the membrane
+is integrated here over the deformed surface itself, by Gauss' rule, for E = diag(1, -1/2,
+-1/2); isotropy makes the same of any other E. The inside is an elastic solid, whose
+displacement is one linear and one cubic solution of Navier's equation, or a liquid, which
+resists no slow change of shape, of a volume that stays. Taylor's parameter is (P + Q) times
+half the rate of shear, first order in it.
+
+With a membrane of rubber of modulus G around a liquid this is 25/12 mu rate/G, as
+D. Barthes-Biesel and J. M. Rallison found (J. Fluid Mech. 113 (1981) 251), and with no
+membrane 5/4 mu rate/G, as of an elastic sphere."""
+
+import numpy as np
+
+COS, WEIGHT = np.polynomial.legendre.leggauss(200)
+E = np.array([1, -0.5])         # along the axis and across
+
+
+def energy_per_area(law, shear, area, tension):
+    """Of the trace T and determinant d of C, as of membraneLaw; by what its papers say, not
+    by its derivatives."""
+    def W(T, d):
+        J = np.sqrt(d)
+        work = tension * J
+        if law == "Skalak":
+            C = (area / shear - 1) / 2
+            work = work + shear / 4 * ((T - 2)**2 + 2 * (T - 2) - 2 * (d - 1) + C * (d - 1)**2)
+        elif law == "neoHookeanMembrane":
+            work = work + shear / 2 * (T + 1 / d - 3)
+        elif law == "EvansSkalak":
+            work = work + shear * (T / J / 2 - 1) + area / 2 * (J - 1)**2
+        return work
+    return W
+
+
+def surface_energy(W, P, Q, pressure):
+    """Of the displaced sphere, less pressure times its volume."""
+    def place(angle):
+        c, s = np.cos(angle), np.sin(angle)
+        radial = Q * (E[0] * c**2 + E[1] * s**2)
+        return c * (1 + P * E[0] + radial), s * (1 + P * E[1] + radial)
+    angle, step = np.arccos(COS), 1e-5
+    _, r = place(angle)
+    above, below = place(angle + step), place(angle - step)
+    dz, dr = ((a - b) / (2 * step) for a, b in zip(above, below))
+    meridian, ring = np.hypot(dz, dr), r / np.sin(angle)
+    area = np.sum(WEIGHT * W(meridian**2 + ring**2, (meridian * ring)**2)) * 2 * np.pi
+    volume = np.sum(WEIGHT * np.pi * r**2 * -dz / np.sin(angle))
+    return area - pressure * volume
+
+
+def surface_stiffness(W, pressure):
+    """Second derivatives of the energy by P and Q."""
+    h = 1e-2
+
+    def at(p, q):
+        return surface_energy(W, p * h, q * h, pressure)
+    mixed = (at(1, 1) - at(1, -1) - at(-1, 1) + at(-1, -1)) / 4
+    return np.array([[at(1, 0) - 2 * at(0, 0) + at(-1, 0), mixed],
+                     [mixed, at(0, 1) - 2 * at(0, 0) + at(0, -1)]]) / h**2
+
+
+def works():
+    """Integrals over the sphere of products of the vectors E.n and (n.E.n) n."""
+    q = E[0] * COS**2 + E[1] * (1 - COS**2)
+    square = E[0]**2 * COS**2 + E[1]**2 * (1 - COS**2)
+    return 2 * np.pi * np.array([[np.sum(WEIGHT * square), np.sum(WEIGHT * q * q)],
+                                 [np.sum(WEIGHT * q * q), np.sum(WEIGHT * q * q)]])
+
+
+def solid_stiffness(G, nu):
+    """Tractions (of E.n, of (n.E.n) n) for displacements (P, Q) of an elastic sphere."""
+    lam = 2 * G * nu / (1 - 2 * nu)
+    # a r^2 E.x + b x (x.E.x) solves (lam + G) grad div u + G laplace u = 0
+    a, b = 1, -(4 * (lam + G) + 10 * G) / (10 * (lam + G) + 4 * G)
+    divergence = 2 * a + 5 * b
+    shapes = np.array([[1, a], [0, b]])
+    tractions = np.array([[2 * G, 2 * G * a + 2 * G * (a + b)],
+                          [0, lam * divergence + 2 * G * b + 2 * G * (a + b)]])
+    return tractions @ np.linalg.inv(shapes)
+
+
+def deformation(law=None, shear=0, area=0, tension=0, solid=None):
+    """Taylor's parameter over viscosity times rate of shear; moduli over the radius; solid:
+    shear modulus and Poisson's ratio of the inside, None: a liquid."""
+    W = energy_per_area(law, shear, area, tension)
+    # a liquid: the limit of a soft, incompressible solid
+    G, nu = solid or (1e-8 * max(shear, tension), 0.4999999)
+    stiffness = surface_stiffness(W, 2 * tension) + works() @ solid_stiffness(G, nu)
+    P, Q = np.linalg.solve(stiffness, works() @ np.array([5, 0]))
+    return (P + Q) / 2
+
+
+def laplace_stretch(tension, radius, E_solid, nu):
+    """Of a neo-Hookean sphere with a surface tension, in a fluid without pressure: its stress
+    mu (s - 1/s) + 3 lambda ln(s)/s bears 2 tension s/radius, by area of the sphere free of
+    stress."""
+    from scipy.optimize import brentq
+    mu = E_solid / 2 / (1 + nu)
+    lam = 2 * mu * nu / (1 - 2 * nu)
+    return brentq(lambda s: mu * (s - 1 / s) + 3 * lam * np.log(s) / s
+                  + 2 * tension * s / radius, 0.2, 1)
