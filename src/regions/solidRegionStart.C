@@ -142,10 +142,7 @@ void Foam::fsbi::solidRegion::create(const bool saved)
         order_, mesh(), material_(), conditions_->given().kinds, formulation_,
         mixed
     );
-    if (materialEntries_.found("cortex"))
-    {
-        elastic_->setCortex(materialEntries_.subDict("cortex"));
-    }
+    setCortex();
     volumes_ += elastic_->volumesOnFacets();
     x_.setSize(elastic_->size(), 0);
     increment_ = x_;
@@ -263,6 +260,28 @@ void Foam::fsbi::solidRegion::readOrder()
             << " give 'order 4' in 'coupling' of system/fluid/fvSolution, too,"
             << " or no 'order' in either" << exit(FatalError);
     }
+}
+
+
+void Foam::fsbi::solidRegion::setCortex()
+{
+    if (!materialEntries_.found("cortex"))
+    {
+        return;
+    }
+    const dictionary& entries = materialEntries_.subDict("cortex");
+    if
+    (
+        order_ != 2
+     || formulation_ != constitutiveState::formulation::totalLagrangian
+    )
+    {
+        FatalIOErrorInFunction(entries)
+            << "Body '" << name() << "' has a cortex, which wants, in 'solid' of"
+            << " system/" << name() << "/fvSolution, order 2 and formulation"
+            << " totalLagrangian, as they are by default" << exit(FatalIOError);
+    }
+    elastic_->setCortex(entries);
 }
 
 

@@ -15,7 +15,8 @@ Foam::fsbi::cortex::cortex
 )
 :
     mesh_(mesh),
-    nHalo_(nHalo)
+    nHalo_(nHalo),
+    nFaces_(kinds.size())
 {
     const checkedDictionary entries(dict);
     tension_ = entries.getOrDefault<scalar>("tension", 0);
@@ -41,17 +42,22 @@ Foam::fsbi::cortex::cortex
             ++k
         )
         {
-            addElement(triFace(f[0], f[k], f[k + 1]));
+            addElement(triFace(f[0], f[k], f[k + 1]), i);
         }
+        closed_ &=
+            kinds[i] == solidBoundary::traction
+         || kinds[i] == solidBoundary::coupled;
     }
+    reduce(closed_, andOp<bool>());
 }
 
 
-void Foam::fsbi::cortex::addElement(const triFace& corners)
+void Foam::fsbi::cortex::addElement(const triFace& corners, const label face)
 {
     const pointField& x = mesh_.points();
     element t;
     t.corners = corners;
+    t.face = face;
     t.e1 = x[corners[1]] - x[corners[0]];
     t.e2 = x[corners[2]] - x[corners[0]];
     const scalar det = magSqr(t.e1 ^ t.e2);
@@ -64,14 +70,68 @@ void Foam::fsbi::cortex::addElement(const triFace& corners)
 }
 
 
+Foam::fsbi::cortex::byEdges Foam::fsbi::cortex::slope(const element& t) const
+{
+    // of the energy by m_11, m_22, and half of that by m_12
+    const scalar q = t.overDet*t.W.d;
+    const scalar S11 = t.W.T*t.G11 + q*magSqr(t.e2);
+    const scalar S22 = t.W.T*t.G22 + q*magSqr(t.e1);
+    const scalar S12 = t.W.T*t.G12 - q*(t.e1 & t.e2);
+    return
+    {
+        2*t.area*(S11*t.e1 + S12*t.e2), 2*t.area*(S22*t.e2 + S12*t.e1)
+    };
+}
+
+
+Foam::fsbi::cortex::byEdges Foam::fsbi::cortex::slopeTangent
+(
+    const element& t, const vector& de1, const vector& de2
+) const
+{
+    const scalar m11 = magSqr(t.e1), m22 = magSqr(t.e2), m12 = t.e1 & t.e2;
+    const scalar dm11 = 2*(t.e1 & de1), dm22 = 2*(t.e2 & de2);
+    const scalar dm12 = (t.e1 & de2) + (t.e2 & de1);
+    const scalar dT = t.G11*dm11 + 2*t.G12*dm12 + t.G22*dm22;
+    const scalar dd = t.overDet*(dm11*m22 + m11*dm22 - 2*m12*dm12);
+    const scalar byT = t.W.TT*dT + t.W.Td*dd;
+    const scalar q = t.overDet*t.W.d;
+    const scalar dq = t.overDet*(t.W.Td*dT + t.W.dd*dd);
+    const scalar S11 = t.W.T*t.G11 + q*m22;
+    const scalar S22 = t.W.T*t.G22 + q*m11;
+    const scalar S12 = t.W.T*t.G12 - q*m12;
+    const scalar dS11 = byT*t.G11 + dq*m22 + q*dm22;
+    const scalar dS22 = byT*t.G22 + dq*m11 + q*dm11;
+    const scalar dS12 = byT*t.G12 - dq*m12 - q*dm12;
+    return
+    {
+        2*t.area*(dS11*t.e1 + S11*de1 + dS12*t.e2 + S12*de2),
+        2*t.area*(dS22*t.e2 + S22*de2 + dS12*t.e1 + S12*de1)
+    };
+}
+
+
 void Foam::fsbi::cortex::pull
 (
-    const element& t, const vector& by1, const vector& by2, vectorField& force
+    const element& t, const byEdges& slope, vectorField& vertices
 )
 {
-    force[t.corners[0]] += by1 + by2;
-    force[t.corners[1]] -= by1;
-    force[t.corners[2]] -= by2;
+    vertices[t.corners[0]] += slope.e1 + slope.e2;
+    vertices[t.corners[1]] -= slope.e1;
+    vertices[t.corners[2]] -= slope.e2;
+}
+
+
+void Foam::fsbi::cortex::shift
+(
+    const element& t, const vector& force, acting& to
+)
+{
+    to.faces[t.face] -= force;
+    for (const label v : t.corners)
+    {
+        to.vertices[v] += force/3;
+    }
 }
 
 
@@ -81,21 +141,21 @@ void Foam::fsbi::cortex::sumShared(vectorField& force) const
 }
 
 
-Foam::vectorField Foam::fsbi::cortex::forces(const vectorField& displacement)
+Foam::fsbi::cortex::acting Foam::fsbi::cortex::forces(const vectorField& u)
 {
-    vectorField force(mesh_.nPoints(), Zero);
-    const auto at = [&](const label v)
-    {
-        return mesh_.points()[v] + displacement[v];
-    };
+    acting force{vectorField(u.size(), Zero), vectorField(nFaces_, Zero)};
     valid_ = true;
+    vector2D sums(Zero);        // -f.x, 3 V
     for (element& t : elements_)
     {
-        t.e1 = at(t.corners[1]) - at(t.corners[0]);
-        t.e2 = at(t.corners[2]) - at(t.corners[0]);
+        const auto at = [&](const label i)
+        {
+            return mesh_.points()[t.corners[i]] + u[t.corners[i]];
+        };
+        t.e1 = at(1) - at(0);
+        t.e2 = at(2) - at(0);
         const scalar m11 = magSqr(t.e1), m22 = magSqr(t.e2);
         const scalar m12 = t.e1 & t.e2;
-        const scalar T = t.G11*m11 + 2*t.G12*m12 + t.G22*m22;
         const scalar d = t.overDet*(m11*m22 - sqr(m12));
         if (!(d > SMALL))
         {
@@ -106,55 +166,60 @@ Foam::vectorField Foam::fsbi::cortex::forces(const vectorField& displacement)
         t.W = membraneLaw::constantTension(tension_, d);
         if (law_)
         {
-            t.W += law_->at(T, d);
+            t.W += law_->at(t.G11*m11 + 2*t.G12*m12 + t.G22*m22, d);
         }
-        const scalar S11 = t.W.T*t.G11 + t.W.d*t.overDet*m22;
-        const scalar S22 = t.W.T*t.G22 + t.W.d*t.overDet*m11;
-        const scalar S12 = t.W.T*t.G12 - t.W.d*t.overDet*m12;
-        pull
-        (
-            t,
-            2*t.area*(S11*t.e1 + S12*t.e2),
-            2*t.area*(S22*t.e2 + S12*t.e1),
-            force
-        );
+        const byEdges by(slope(t));
+        pull(t, by, force.vertices);
+        sums.x() += (by.e1 & t.e1) + (by.e2 & t.e2);
+        sums.y() += 0.5*(at(0) & (t.e1 ^ t.e2));
     }
-    sumShared(force);
+    reduce(sums, sumOp<vector2D>());
+    volume3_ = sums.y();
+    pressure_ = closed_ ? sums.x()/volume3_ : 0;
+    for (const element& t : elements_)
+    {
+        shift(t, 0.5*pressure_*(t.e1 ^ t.e2), force);
+    }
+    sumShared(force.vertices);
     return force;
 }
 
 
-Foam::vectorField Foam::fsbi::cortex::tangent(const vectorField& dx) const
+Foam::fsbi::cortex::acting Foam::fsbi::cortex::tangent
+(
+    const vectorField& du
+) const
 {
-    vectorField force(mesh_.nPoints(), Zero);
+    acting force{vectorField(du.size(), Zero), vectorField(nFaces_, Zero)};
+    vector2D sums(Zero);
+    const auto edge = [&](const element& t, const label i)
+    {
+        return du[t.corners[i]] - du[t.corners[0]];
+    };
     for (const element& t : elements_)
     {
-        const vector de1(dx[t.corners[1]] - dx[t.corners[0]]);
-        const vector de2(dx[t.corners[2]] - dx[t.corners[0]]);
-        const scalar m11 = magSqr(t.e1), m22 = magSqr(t.e2);
-        const scalar m12 = t.e1 & t.e2;
-        const scalar dm11 = 2*(t.e1 & de1), dm22 = 2*(t.e2 & de2);
-        const scalar dm12 = (t.e1 & de2) + (t.e2 & de1);
-        const scalar dT = t.G11*dm11 + 2*t.G12*dm12 + t.G22*dm22;
-        const scalar dd = t.overDet*(dm11*m22 + m11*dm22 - 2*m12*dm12);
-        const scalar byT = t.W.TT*dT + t.W.Td*dd;
-        const scalar byd = t.W.Td*dT + t.W.dd*dd;
-        const scalar q = t.overDet*t.W.d, dq = t.overDet*byd;
-        const scalar S11 = t.W.T*t.G11 + q*m22;
-        const scalar S22 = t.W.T*t.G22 + q*m11;
-        const scalar S12 = t.W.T*t.G12 - q*m12;
-        const scalar dS11 = byT*t.G11 + dq*m22 + q*dm22;
-        const scalar dS22 = byT*t.G22 + dq*m11 + q*dm11;
-        const scalar dS12 = byT*t.G12 - dq*m12 - q*dm12;
-        pull
-        (
-            t,
-            2*t.area*(dS11*t.e1 + S11*de1 + dS12*t.e2 + S12*de2),
-            2*t.area*(dS22*t.e2 + S22*de2 + dS12*t.e1 + S12*de1),
-            force
-        );
+        const vector de1(edge(t, 1)), de2(edge(t, 2));
+        const byEdges by(slope(t)), dBy(slopeTangent(t, de1, de2));
+        pull(t, dBy, force.vertices);
+        sums.x() +=
+            (dBy.e1 & t.e1) + (dBy.e2 & t.e2) + (by.e1 & de1) + (by.e2 & de2);
+        sums.y() +=
+            0.5
+           *(
+                (3*du[t.corners[0]] + de1 + de2) & (t.e1 ^ t.e2)
+            );
     }
-    sumShared(force);
+    if (closed_)
+    {
+        reduce(sums, sumOp<vector2D>());
+        const scalar dp = (sums.x() - pressure_*sums.y())/volume3_;
+        for (const element& t : elements_)
+        {
+            const vector dS((edge(t, 1) ^ t.e2) + (t.e1 ^ edge(t, 2)));
+            shift(t, 0.5*(dp*(t.e1 ^ t.e2) + pressure_*dS), force);
+        }
+    }
+    sumShared(force.vertices);
     return force;
 }
 

@@ -4,7 +4,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fourthOrderElastic.H"
-#include "asVectors.H"
 #include "secondOrderElastic.H"
 #include "sharedVertices.H"
 #include "syncTools.H"
@@ -68,52 +67,10 @@ void Foam::fsbi::elasticOperator::setOwnedVertices()
 
 void Foam::fsbi::elasticOperator::setCortex(const dictionary& dict)
 {
-    if (state_.carriesOn())
-    {
-        FatalIOErrorInFunction(dict)
-            << "A body with a cortex is solved with formulation totalLagrangian"
-            << " only (system/<region>/fvSolution, solid)"
-            << exit(FatalIOError);
-    }
     cortex_.reset
     (
         new cortex(mesh_, stencil_.halo().size(), boundary_.kinds(), dict)
     );
-}
-
-
-void Foam::fsbi::elasticOperator::addToRows
-(
-    const vectorField& onVertices, scalar* r
-) const
-{
-    vectorField cells(mesh_.nCells(), Zero);
-    vectorField faces(boundary_.kinds().size(), Zero);
-    shareForces(onVertices, cells, faces);
-    vector* rows = asVectors(r);
-    forAll(cells, i)
-    {
-        rows[i] -= cells[i];
-    }
-    boundary_.addLoad(faces, r);
-}
-
-
-void Foam::fsbi::elasticOperator::addCortex(scalar* r)
-{
-    if (cortex_)
-    {
-        addToRows(cortex_->forces(vertexDisplacement()), r);
-    }
-}
-
-
-void Foam::fsbi::elasticOperator::addCortexTangent(scalar* dr) const
-{
-    if (cortex_)
-    {
-        addToRows(cortex_->tangent(vertexIncrement()), dr);
-    }
 }
 
 

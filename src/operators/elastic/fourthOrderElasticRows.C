@@ -353,7 +353,6 @@ void Foam::fsbi::fourthOrderElastic::residual
             boundaryForce_[g] -= throughStrips(g, stress);
         }
     }
-    addCortex(r);
 }
 
 
@@ -426,5 +425,4 @@ void Foam::fsbi::fourthOrderElastic::applyJacobian
     }
     addStrips(stress, atGhosts);
     addBoundaryRows(along_, force, atGhosts, dr);
-    addCortexTangent(dr);
 }

@@ -320,7 +320,26 @@ void Foam::fsbi::secondOrderElastic::residual
         }
         addPressures(volume, state_.pressure(), r);
     }
-    addCortex(r);
+    if (cortex_)
+    {
+        addCortex(cortex_->forces(atVertices(values_)), r);
+    }
+}
+
+
+void Foam::fsbi::secondOrderElastic::addCortex
+(
+    cortex::acting forces, scalar* r
+) const
+{
+    vectorField cells(mesh_.nCells(), Zero);
+    shareForces(forces.vertices, cells, forces.faces);
+    vector* rows = asVectors(r);
+    forAll(cells, i)
+    {
+        rows[i] -= cells[i];
+    }
+    boundary_.addLoad(forces.faces, r);
 }
 
 
@@ -373,7 +392,10 @@ void Foam::fsbi::secondOrderElastic::applyJacobian(const scalar* dx, scalar* dr)
     {
         addPressures(volume, dPressure_, dr);
     }
-    addCortexTangent(dr);
+    if (cortex_)
+    {
+        addCortex(cortex_->tangent(atVertices(dValues_)), dr);
+    }
 }
 
 

@@ -1,0 +1,239 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+
+Description
+    Checks of what cells have besides an elastic inside: a cortex, and a liquid.
+
+\*---------------------------------------------------------------------------*/
+
+#include "skin.H"
+#include "elasticCase.H"
+#include "quaternion.H"
+#include "mathematicalConstants.H"
+
+using namespace Foam;
+using namespace Foam::fsbi;
+
+static const std::string skins[] =
+{
+    "tension 0.7;",
+    "type Skalak; shearModulus 2; areaModulus 5;",
+    "type neoHookeanMembrane; shearModulus 2;",
+    "type EvansSkalak; shearModulus 2; areaModulus 5; tension 0.3;"
+};
+
+static dictionary entries(const std::string& text)
+{
+    return dictionary(IStringStream(text)());
+}
+
+
+static solidBoundary::kind allFree(const point&)
+{
+    return solidBoundary::traction;
+}
+
+
+static vectorField shaken(const fvMesh& mesh, const scalar size)
+{
+    vectorField u(mesh.nPoints());
+    forAll(u, v)
+    {
+        u[v] =
+            size*vector(noise(3*v), noise(3*v + 1), noise(3*v + 2));
+    }
+    return u;
+}
+
+
+//- Forces are minus the derivative of the energy, and balance; the tangent is
+//  theirs; they turn with the body
+static void checkForces(checks& c, elasticCase& body, const std::string& text)
+{
+    const fvMesh& mesh = body.mesh;
+    cortex skin(mesh, 0, body.given.kinds, entries(text));
+    const vectorField u(shaken(mesh, 0.05));
+    vectorField along(shaken(mesh, 1));
+    std::reverse(along.begin(), along.end());
+
+    const scalar h = 1e-5;
+    // what faces have goes to their corners here, as if both moved together
+    const auto whole = [&](const cortex::acting& f)
+    {
+        vectorField onCorners(f.vertices);
+        forAll(f.faces, i)
+        {
+            for (const label v : mesh.faces()[mesh.nInternalFaces() + i])
+            {
+                onCorners[v] += f.faces[i]/3;
+            }
+        }
+        return onCorners;
+    };
+    const auto at = [&](const vectorField& x){ return whole(skin.forces(x)); };
+    const vectorField more(at(u + h*along));
+    const scalar above = skin.energy();
+    const vectorField less(at(u - h*along));
+    const scalar below = skin.energy();
+    const vectorField force(at(u));
+    const vectorField change(whole(skin.tangent(along)));
+    const scalar work = sum(force & along);
+    // bound: central differences, h^2 of third derivatives of some hundred
+    c.checkClose
+    (
+        text + " forces over the slope of the energy",
+        -work/((above - below)/(2*h)), 1, 1e-7
+    );
+    c.checkBelow
+    (
+        text + " derivative of forces",
+        max(mag(change - (more - less)/(2*h)))/max(mag(change)), 1e-7
+    );
+    // bound: round-off
+    c.checkBelow(text + " sum of forces", mag(sum(force)), 1e-13);
+    c.checkBelow
+    (
+        text + " sum of moments",
+        mag(sum((mesh.points() + u) ^ force)), 1e-13
+    );
+    const quaternion q(normalised(vector(1, 2, 3)), 2);
+    vectorField turned(mesh.points() + u);
+    for (vector& x : turned)
+    {
+        x = q.transform(x);
+    }
+    vectorField there(at(turned - mesh.points()));
+    forAll(there, v)
+    {
+        there[v] -= q.transform(force[v]);
+    }
+    c.checkBelow(text + " forces turned", max(mag(there)), 1e-13);
+}
+
+
+//- Of small strain: principal tensions (K - G)(a + b) + 2 G a
+static void checkModuli(checks& c, const std::string& text, const scalar K)
+{
+    const scalar G = 2, a = 2e-4, b = -0.7e-4;
+    const autoPtr<membraneLaw> law
+    (
+        membraneLaw::New(checkedDictionary(entries(text)))
+    );
+    const scalar A = sqr(1 + a), B = sqr(1 + b);
+    const auto e = law->at(A + B, A*B);
+    const scalar N = 2*(1 + a)/(1 + b)*(e.T + B*e.d);
+    const scalar expected = (K - G)*(a + b) + 2*G*a;
+    // bound: the next order is strain over strain, times some numbers of 1
+    c.checkClose(text + " tension of small strain", N/expected, 1, 20*a);
+}
+
+
+static void checkDerivatives(checks& c, const fvMesh& mesh)
+{
+    for (const std::string& text : skins)
+    {
+        elasticCase body
+        (
+            mesh, "type neoHookean; E 1; nu 0.4;", elasticCase::heldAndLoaded
+        );
+        body.giveLoads();
+        body.elastic->setCortex(entries(text));
+        c.checkBelow
+        (
+            "derivative of a body with " + text,
+            body.derivativeError(0.02, 1e-5), 1e-7
+        );
+    }
+}
+
+
+//- In the second step after a strain of its own
+static void checkLiquid(checks& c, const fvMesh& mesh)
+{
+    elasticCase body
+    (
+        mesh, "type liquid; viscosity 0.3;", allFree,
+        constitutiveState::formulation::totalLagrangian, true
+    );
+    body.elastic->setCortex(entries(skins[0]));
+    body.elastic->beginStep(0.2, 0, false);
+    forAll(body.x, i)
+    {
+        body.x[i] = 0.02*noise(7*i + 1);
+    }
+    scalarList r(body.x.size());
+    body.elastic->residual(body.x.cdata(), body.given, r.begin());
+    body.elastic->endStep();
+    body.elastic->beginStep(0.1, 0.2, false);
+    c.checkBelow
+    (
+        "derivative of a liquid with a tension",
+        body.derivativeError(0.02, 1e-5), 1e-7
+    );
+}
+
+
+//- Turned by any angle a step it has no stress; sheared, Newton's
+static void checkFlow(checks& c, const fvMesh& mesh)
+{
+    const scalar eta = 0.3, dt = 1e-3;
+    const auto material =
+        solidMaterial::New(entries("type liquid; viscosity 0.3;"));
+    constitutiveState state
+    (
+        "body", 1, material(), constitutiveState::formulation::totalLagrangian,
+        true
+    );
+    const auto stressAt = [&](const tensor& F)
+    {
+        state.gradient()[0] = F - tensor::I;
+        state.evaluate();
+        return tensor(state.CauchyStress()()[0]);
+    };
+    const tensor prior(1.2, 0.3, 0, 0.1, 0.9, 0.2, 0, 0, 1/1.05);
+    const tensor before(prior/Foam::cbrt(det(prior)));
+    state.setStep(dt, 0);
+    stressAt(before);
+    state.endStep();
+    const tensor R(quaternion(normalised(vector(1, 2, 3)), 1.5).R());
+    state.setStep(dt, dt);
+    state.olderF()[0] = before;
+    c.checkBelow
+    (
+        "stress of a liquid turned by 1.5 rad in a step, over viscosity by step",
+        mag(stressAt(R & before))*dt/eta, 1e-13
+    );
+    // from here on the velocity gradient L: F = exp(L t) before
+    const tensor L(0.2, 1, 0, 0.3, -0.5, 0, 0.4, 0, 0.3);
+    const auto at = [&](const scalar t)
+    {
+        const tensor X(t*L);
+        return
+            (tensor::I + X + 0.5*(X & X) + (X & X & X)/6) & before;
+    };
+    state.olderF()[0] = at(-2*dt);
+    state.oldF()[0] = at(-dt);
+    // bound: BDF2, a third of dt^2 times the third derivative of C, some ten
+    c.checkBelow
+    (
+        "stress of a liquid with a velocity gradient",
+        mag(stressAt(before) - 2*eta*symm(L))/(eta*mag(L)), 20*sqr(dt)
+    );
+}
+
+
+void checkSkin(checks& c, const fvMesh& mesh)
+{
+    for (const std::string& text : skins)
+    {
+        elasticCase body(mesh, "type neoHookean; E 1; nu 0.4;", allFree);
+        checkForces(c, body, text);
+    }
+    checkModuli(c, skins[1], 5);
+    checkModuli(c, skins[2], 6);
+    checkModuli(c, "type EvansSkalak; shearModulus 2; areaModulus 5;", 5);
+    checkDerivatives(c, mesh);
+    checkLiquid(c, mesh);
+    checkFlow(c, mesh);
+}
