@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "effectList.H"
-#include "IOdictionary.H"
+#include "namedDictionaries.H"
 
 Foam::fsbi::effectList::effectList
 (
@@ -24,28 +24,14 @@ Foam::fsbi::effectList::effectList
 
 void Foam::fsbi::effectList::read(const dictionary& saved)
 {
-    const IOdictionary dict
+    const namedDictionaries file
     (
-        IOobject
-        (
-            "effects", context_.time.caseConstant(), context_.time,
-            IOobject::MUST_READ, IOobject::NO_WRITE, false
-        )
+        context_.time, "effects", "an effect is name { ... }"
     );
-    for (const entry& e : dict)
+    for (const entry* e : file.entries())
     {
-        if (e.keyword() == "FoamFile")
-        {
-            continue;
-        }
-        if (!e.isDict())
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry '" << e.keyword() << "' is no dictionary: an effect"
-                << " is name { ... }" << exit(FatalIOError);
-        }
-        auto timer = timings_.profileMemory(e.keyword());
-        effects_.append(effect::New(e, context_));
+        auto timer = timings_.profileMemory(e->keyword());
+        effects_.append(effect::New(*e, context_));
     }
     restore(saved);
     if (effects_.empty())

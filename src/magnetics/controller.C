@@ -188,10 +188,24 @@ Foam::scalarField Foam::fsbi::controller::currents(const scalar t) const
 }
 
 
+Foam::labelList Foam::fsbi::controller::present() const
+{
+    DynamicList<label> here;
+    forAll(bodies_, i)
+    {
+        if (context_.bodies[bodies_[i]].present())
+        {
+            here.append(i);
+        }
+    }
+    return labelList(std::move(here));
+}
+
+
 Foam::vectorField Foam::fsbi::controller::displacements() const
 {
-    vectorField result(bodies_.size());
-    forAll(result, i)
+    vectorField result(bodies_.size(), Zero);
+    for (const label i : present())
     {
         result[i] =
             points_[i][min(leg_, points_[i].size() - 1)]
@@ -248,7 +262,8 @@ Foam::label Foam::fsbi::controller::chosen(const vectorField& times) const
 
 void Foam::fsbi::controller::measure(const scalar t)
 {
-    while (leg_ < lastLeg_ && there())
+    const labelList here(present());
+    while (leg_ < lastLeg_ && here.size() && there())
     {
         ++leg_;
     }
@@ -264,7 +279,7 @@ void Foam::fsbi::controller::measure(const scalar t)
     next_ = t + period_;
     if (!arrived)
     {
-        const vectorField times(law_->times(displacements()));
+        const vectorField times(law_->times(displacements(), here));
         const label mode = chosen(times);
         now_.mode = mode;
         now_.stop = t + min(mag(times[mode]), period_);
@@ -282,7 +297,7 @@ void Foam::fsbi::controller::report() const
     Info<< "Controller at " << now_.start << ": ";
     if (now_.mode < 0)
     {
-        Info<< "all are at their targets";
+        Info<< (present().empty() ? "no body is there" : "all are at their targets");
     }
     else
     {
@@ -297,7 +312,7 @@ void Foam::fsbi::controller::report() const
     }
     Info<< ", distances";
     const scalarField distances(mag(displacements()));
-    forAll(bodies_, i)
+    for (const label i : present())
     {
         Info<< ' ' << context_.bodies[bodies_[i]].name() << ' ' << distances[i];
     }

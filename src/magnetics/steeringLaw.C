@@ -18,6 +18,48 @@ Foam::scalar Foam::fsbi::steeringLaw::rate
 }
 
 
+Foam::scalarRectangularMatrix Foam::fsbi::steeringLaw::scaled
+(
+    const labelUList& bodies, scalarList& largest
+) const
+{
+    scalarRectangularMatrix V(bodies.size(), speeds_.n());
+    largest = scalarList(bodies.size(), Zero);
+    forAll(bodies, i)
+    {
+        for (label k = 0; k < V.n(); ++k)
+        {
+            largest[i] = max(largest[i], mag(speeds_(bodies[i], k)));
+        }
+        for (label k = 0; k < V.n(); ++k)
+        {
+            V(i, k) = speeds_(bodies[i], k)/largest[i];
+        }
+    }
+    return V;
+}
+
+
+Foam::scalarRectangularMatrix Foam::fsbi::steeringLaw::products
+(
+    const scalarRectangularMatrix& V
+)
+{
+    scalarRectangularMatrix G(V.m(), V.m(), Zero);
+    for (label i = 0; i < V.m(); ++i)
+    {
+        for (label j = 0; j < V.m(); ++j)
+        {
+            for (label k = 0; k < V.n(); ++k)
+            {
+                G(i, j) += V(i, k)*V(j, k);
+            }
+        }
+    }
+    return G;
+}
+
+
 Foam::fsbi::steeringLaw::steeringLaw
 (
     const UList<scalar>& frequencies,
@@ -26,60 +68,45 @@ Foam::fsbi::steeringLaw::steeringLaw
 )
 :
     speeds_(advances.size(), frequencies.size()),
-    times_(frequencies.size(), advances.size(), Zero),
     distinction_(0)
 {
-    const label n = advances.size(), nModes = frequencies.size();
-    scalarList largest(n, Zero);
-    for (label i = 0; i < n; ++i)
+    forAll(advances, i)
     {
-        for (label k = 0; k < nModes; ++k)
+        forAll(frequencies, k)
         {
             speeds_(i, k) = advances[i]*rate(frequencies[k], stepOuts[i]);
-            largest[i] = max(largest[i], mag(speeds_(i, k)));
         }
     }
-    // the least squares by V^T (V V^T)^-1, bodies scaled to one
-    scalarRectangularMatrix G(n, n, Zero);
-    for (label i = 0; i < n; ++i)
-    {
-        for (label j = 0; j < n; ++j)
-        {
-            for (label k = 0; k < nModes; ++k)
-            {
-                G(i, j) +=
-                    speeds_(i, k)*speeds_(j, k)/(largest[i]*largest[j]);
-            }
-        }
-    }
-    const SVD parts(G);
+    scalarList largest;
+    const SVD parts(products(scaled(identity(advances.size()), largest)));
     distinction_ = sqrt(max(min(parts.S())/max(parts.S()), scalar(0)));
-    const scalarRectangularMatrix inverse(parts.VSinvUt());
-    for (label k = 0; k < nModes; ++k)
-    {
-        for (label j = 0; j < n; ++j)
-        {
-            for (label i = 0; i < n; ++i)
-            {
-                times_(k, j) +=
-                    speeds_(i, k)/largest[i]*inverse(i, j)/largest[j];
-            }
-        }
-    }
 }
 
 
 Foam::vectorField Foam::fsbi::steeringLaw::times
 (
-    const vectorField& displacements
+    const vectorField& displacements, const labelUList& bodies
 ) const
 {
-    vectorField result(times_.m(), Zero);
+    vectorField result(speeds_.n(), Zero);
+    if (bodies.empty())
+    {
+        return result;
+    }
+    // the least squares by V^T (V V^T)^-1, bodies scaled to one
+    scalarList largest;
+    const scalarRectangularMatrix V(scaled(bodies, largest));
+    const scalarRectangularMatrix inverse(SVD(products(V)).VSinvUt());
     forAll(result, k)
     {
-        forAll(displacements, i)
+        forAll(bodies, j)
         {
-            result[k] += times_(k, i)*displacements[i];
+            scalar time = 0;
+            forAll(bodies, i)
+            {
+                time += V(i, k)*inverse(i, j)/largest[j];
+            }
+            result[k] += time*displacements[bodies[j]];
         }
     }
     return result;

@@ -45,3 +45,13 @@ Foam::autoPtr<Foam::fsbi::carriedByFlow> Foam::fsbi::carriedByFlow::New
     }
     return (*fileConstructorTablePtr_)[species](fluid, saved);
 }
+
+
+void Foam::fsbi::carriedByFlow::reportNames(Ostream& os) const
+{
+    const wordList all(names());
+    forAll(all, i)
+    {
+        os << (i ? " " : "") << all[i].c_str();
+    }
+}

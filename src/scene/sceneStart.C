@@ -214,7 +214,9 @@ void Foam::fsbi::scene::createCarried(const dictionary& saved)
     }
     carried_ = carriedByFlow::New(fluid_(), saved);
     fluid_->setCarried(carried_());
-    Info<< "Dissolved species: " << flatOutput(carried_->names()) << nl << endl;
+    Info<< "Dissolved species: ";
+    carried_->reportNames(Info);
+    Info<< nl << endl;
 }
 
 

@@ -6,7 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "species.H"
 #include "addToRunTimeSelectionTable.H"
 #include "fluidRegion.H"
-#include "IOdictionary.H"
+#include "namedDictionaries.H"
 #include "untrapped.H"
 
 namespace Foam
@@ -34,29 +34,16 @@ Foam::fsbi::species::species
 :
     carriedByFlow(fluid)
 {
-    const IOdictionary dict
+    const namedDictionaries file
     (
-        IOobject
-        (
-            typeName, mesh().time().caseConstant(), mesh().time(),
-            IOobject::MUST_READ, IOobject::NO_WRITE, false
-        )
+        mesh().time(), typeName, "a species is name { diffusivity ...; ... }"
     );
-    for (const entry& e : dict)
+    for (const entry* e : file.entries())
     {
-        if (e.keyword() == "FoamFile")
-        {
-            continue;
-        }
-        if (!e.isDict())
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry '" << e.keyword() << "' is no dictionary: a species"
-                << " is name { diffusivity ...; ... }" << exit(FatalIOError);
-        }
+        const word& name = e->keyword();
         solutes_.append
         (
-            new solute(fluid_, e.dict(), saved.subOrEmptyDict(e.keyword()))
+            new solute(fluid_, e->dict(), saved.subOrEmptyDict(name))
         );
     }
     take();

@@ -24,11 +24,13 @@ KINDS = range(1, scene.KINDS + 1)
 
 
 def first_bonds(study):
-    """By patient, of every run and kind."""
+    """By patient, of every run without a drug and every kind."""
     found = {}
     for path in glob.glob(f"runs/{study}/ensemble/runs/*/run.json"):
         with open(path) as file:
             settings = json.load(file)["settings"]
+        if float(settings["dose"]) != 0:
+            continue
         events = History(path.replace("run.json", "postProcessing/history.h5"))[
             "effects/bonds/events"]
         for pair in range(scene.KINDS):

@@ -11,6 +11,7 @@ import numpy as np
 from fsbi import stl
 
 KINDS = 8               # of receptors: as many first bonds from one run
+SET = (1, 5)            # kinds that a study sets the entries of; the next ones follow
 SIDE, HEIGHT = 4.0, 2.0     # um
 CUTS = 4                # of every edge
 GAP = 2.05              # um
@@ -45,7 +46,9 @@ def block():
 
 def effects():
     kinds = range(1, KINDS + 1)
-    receptors = "\n".join(f"R{i} {{ density {DENSITY:g}; blocked 0; }}" for i in kinds)
+    receptors = "\n".join(
+        f"R{i} {{ density {DENSITY:g}; blocked 0; }}" if i in SET else f"R{i} {{ $..R{i - 1}; }}"
+        for i in kinds)
     pairs = "\n".join(
         f"p{i} {{ kinds (R{i} ligand); law Dembo; k0on {RATE}; k0off 1e-15; lambda {REST};"
         f" s {STIFFNESS}; sts {STIFFNESS}; roughness {STALKS}; }}" for i in kinds)
@@ -78,14 +81,13 @@ block
 
 
 def study():
-    kinds = range(1, KINDS + 1)
-
     def entries(word):
         return "(" + " ".join(f'"constant/effects:bonds/molecules/block/R{i}/{word}"'
-                              for i in kinds) + ")"
+                              for i in SET) + ")"
 
     quantities = "\n".join(
-        f'bond{i} {{ quantity "bonds.p{i}.number:at={AT:g}"; above 0.5; }}' for i in kinds)
+        f'bond{i} {{ quantity "bonds.p{i}.number:at={AT:g}"; above 0.5; }}'
+        for i in range(1, KINDS + 1))
     return HEADER.format("ensembleDict") + f"""
 patients {{ table "constant/patients.csv"; entries {{ receptors {entries("density")}; }} }}
 drug

@@ -118,7 +118,9 @@ void Foam::fsbi::dryRun::reportScene(const scene& scene) const
     Info<< nl;
     if (scene.carried())
     {
-        Info<< "    species      " << flatOutput(scene.carried()->names()) << nl;
+        Info<< "    species      ";
+        scene.carried()->reportNames(Info);
+        Info<< nl;
     }
     if (scene.hasFluid() && scene.fluid().momentum().terms().size())
     {

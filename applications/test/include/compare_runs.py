@@ -4,7 +4,7 @@
 """Compare the histories of two runs, and the fields of one time folder.
 
     compare_runs.py case case [--tolerance 1e-10] [--fields TIME] [--only path]
-        [--but end]
+        [--but end] [--upTo TIME]
 
 The difference is relative to the largest number of a table; of forces, and of
 torques, to the largest of all bodies, as on free bodies they nearly cancel.
@@ -21,9 +21,10 @@ import numpy as np
 from fsbi.history import History
 
 
-def numbers(table):
+def rows(table, last):
+    """Its numbers up to a time, without times."""
     kept = [i for i, c in enumerate(table.columns) if c not in ("time", "seconds")]
-    return table.array[:, kept]
+    return table.array[table["time"] <= last if last < np.inf else slice(None)][:, kept]
 
 
 def kind(path):
@@ -48,7 +49,11 @@ def main():
     parser.add_argument("--fields", help="these must be equal to the last bit")
     parser.add_argument("--only", default="bodies/")
     parser.add_argument("--but", help="leave out tables whose name ends so")
+    parser.add_argument("--upTo", type=float, default=np.inf, help="the last time compared")
     options = parser.parse_args()
+
+    def numbers(table):
+        return rows(table, options.upTo)
 
     first, second = [
         History(os.path.join(case, "postProcessing", "history.h5"))
@@ -77,8 +82,9 @@ def main():
     if worst[0] > options.tolerance:
         sys.exit(f"difference {worst[0]:.2e} in {worst[1]}")
 
-    times = first["cost"]["time"]
-    if not np.array_equal(times, second["cost"]["time"]):
+    times, others = [t[t <= options.upTo] for t in
+                     (history["cost"]["time"] for history in (first, second))]
+    if not np.array_equal(times, others):
         sys.exit("the steps are others")
     if np.any(np.diff(times) <= 0):
         sys.exit("rows are there twice")

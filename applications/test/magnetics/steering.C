@@ -47,7 +47,7 @@ static void checkLaw(checks& c)
     );
     const steeringLaw law(frequencies, advances, stepOuts);
     const vectorField displacements({vector(3, -1, 0.5), vector(-2, 4, 0)});
-    const vectorField times(law.times(displacements));
+    const vectorField times(law.times(displacements, identity(2)));
     scalar error = 0;
     forAll(displacements, i)
     {
@@ -59,6 +59,17 @@ static void checkLaw(checks& c)
         error = max(error, mag(made - displacements[i]));
     }
     c.checkBelow("times of the modes make the displacements", error, 1e-12);
+
+    // of one that is alone, by the law of its own
+    const vectorField alone
+    (
+        law.times(displacements, labelList({1}))
+      - steeringLaw
+        (
+            frequencies, scalarList({advances[1]}), scalarList({stepOuts[1]})
+        ).times(vectorField({displacements[1]}), identity(1))
+    );
+    c.check("a body that is absent counts in nothing", max(mag(alone)) == 0);
 
     // what makes no way: the kernel of the speeds, two bodies by three modes
     vector a, b;

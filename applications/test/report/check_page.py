@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Does a page hold what the run recorded?
 
-    check_page.py CASE
+    check_page.py CASE [PAGE]
 """
 
 import base64
@@ -92,23 +92,44 @@ def check_bonds(data, case, recorded):
 
 
 def check_bodies(data, case, file):
-    """Surfaces stand where the history has the bodies."""
+    """Surfaces stand where the history has the bodies, and while it has them."""
     scene = data["scene"]
+    times = np.array(scene["times"])
     for body in scene["bodies"]:
         path = f"bodies/{body['name']}/position"
         rows = file[path if path in file else f"elasticBodies/{body['name']}/centre"][()]
+        ways = scene["paths"][body["name"]]
+        assert sum(len(floats(way, 3)) for way in ways) == len(rows), body["name"]
         if "motion" in body:
-            np.testing.assert_allclose(floats(body["motion"], 7)[:, :3], rows[:, 1:], rtol=1e-6)
+            motion = floats(body["motion"], 7)
+            there = ~np.isnan(motion[:, 0])
+            assert np.array_equal(times[there], rows[:, 0]), body["name"]
+            np.testing.assert_allclose(motion[there, :3], rows[:, 1:], rtol=1e-6)
             continue
-        for time, frame in list(zip(scene["times"], body["frames"]))[1:]:
+        for time, frame in list(zip(times, body["frames"]))[1:]:
+            assert (frame is None) == (time not in rows[:, 0]), (body["name"], time)
+            if frame is None:
+                continue
             centre = floats(frame["points"], 3).mean(axis=0)
             at = rows[np.argmin(abs(rows[:, 0] - time)), 1:]
             size = np.ptp(floats(frame["points"], 3), axis=0).max()
             assert np.linalg.norm(centre - at) < 0.05 * size, (body["name"], time, centre, at)
 
 
-def main(case):
-    path = f"{case}/report.html"
+def check_traffic(data):
+    """One is gone at the end, one is not there in the beginning."""
+    def there(name):
+        body = next(b for b in data["scene"]["bodies"] if b["name"] == name)
+        return [f is not None for f in body["frames"]] if "frames" in body \
+            else list(~np.isnan(floats(body["motion"], 7)[:, 0]))
+    for name, ends in (("first", (True, False)), ("late", (False, True))):
+        seen = there(name)
+        assert (seen[1], seen[-1]) == ends, (name, seen)
+        assert seen.index(ends[1], 1) > 1
+
+
+def main(case, path=None):
+    path = path or f"{case}/report.html"
     assert os.path.getsize(path) < 5e6, os.path.getsize(path)
     assert not glob.glob(f"{case}/vtk*"), "left behind"
     with open(path, encoding="utf-8") as page:
@@ -121,9 +142,11 @@ def main(case):
         check_steps(data, case, text)
         check_notes(file, text)
         check_bodies(data, case, file)
+        if case.startswith("traffic"):
+            check_traffic(data)
         if "effects/bonds/selectin" in file:
             check_bonds(data, case, file["effects/bonds/selectin"][()])
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    main(*sys.argv[1:])

@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Use a page as a reader would: look, turn, play, choose, read numbers.
 
-    click_through.py CASE            writes CASE/*.png to look at
+    click_through.py CASE [PAGE]     writes CASE/*.png to look at
     click_through.py --bare PAGE     one without three.js
 """
 
+import base64
 import sys
 import time
 
@@ -74,7 +75,8 @@ def choose(page, case):
             page.run("arguments[0].scrollIntoView({block: 'center'})", button)
             button.click()
             lines = page.elements("#values tr")
-            assert lines, button.text
+            there = page.run("return fsbiBodies.state.chosen.group.visible")
+            assert bool(lines) == there, button.text
             for line in lines:
                 path = line.get_attribute("data-path")
                 assert path.split("/")[1] == button.text, path
@@ -90,15 +92,34 @@ def pick(page):
     page.click("#whole")
     time.sleep(0.3)
     models = page.run("""return fsbiBodies.models.map(m => {
-        const s = m.sphere(fsbiBodies.state.frame).center.project(fsbiBodies.camera);
+        const at = m.sphere(fsbiBodies.state.frame);
+        if (!at) return null;
+        const s = at.center.project(fsbiBodies.camera);
         return [m.name, s.x, s.y]; })""")
     canvas = page.element("#canvas")
     page.run("arguments[0].scrollIntoView({block: 'center'})", canvas)
-    for name, x, y in models:
+    for name, x, y in filter(None, models):
         ActionChains(page.driver).move_to_element_with_offset(
             canvas, round(x * canvas.size["width"] / 2),
             round(-y * canvas.size["height"] / 2)).click().perform()
         assert page.run("return fsbiBodies.state.chosen.name") == name, name
+
+
+def absent(page):
+    """Who is not there is not drawn, whichever time is chosen."""
+    shown = page.run("""
+        const slider = document.getElementById('slider'), shown = [];
+        for (let k = 0; k < fsbiBodies.times.length; ++k) {
+            slider.value = k;
+            slider.oninput({ target: slider });
+            shown.push(fsbiBodies.models.map(m => m.group.visible));
+        }
+        return shown;""")
+    scene = page.run("return data.scene.bodies")
+    for body, seen in zip(scene, zip(*shown)):
+        there = [f is not None for f in body["frames"]] if "frames" in body else list(
+            ~np.isnan(np.frombuffer(base64.b64decode(body["motion"]), "<f4")[::7]))
+        assert list(seen) == there, body["name"]
 
 
 def bonds(page):
@@ -134,7 +155,7 @@ def curves(page, case):
 
 def main(argv):
     bare = argv[0] == "--bare"
-    path = argv[1] if bare else f"{argv[0]}/report.html"
+    path = argv[1] if len(argv) > 1 else f"{argv[0]}/report.html"
     with Page(path) as page:
         if bare:
             assert not page.element("#stage").is_displayed()
@@ -147,6 +168,7 @@ def main(argv):
             play(page, case)
             choose(page, case)
             pick(page)
+            absent(page)
             curves(page, case)
             bonds(page)
         assert not page.complaints(), page.complaints()

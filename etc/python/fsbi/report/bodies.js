@@ -22,11 +22,14 @@ function solid(points, faces) {
     return geometry;
 }
 
-// One body: a fixed surface that moves, or a surface for every time
-function bodyModel(spec, colour, edged) {
+// One body: a fixed surface that moves, or a surface for every time. While it is not
+// in the domain its motion is no number, its surface null
+function bodyModel(spec, colour, edged, times) {
     const faces = whole(spec.faces);
     const motion = spec.motion ? floats(spec.motion) : null;
     const surfaces = [];
+    const there = k => motion ? !isNaN(motion[7 * k]) : spec.frames[k] !== null;
+    const first = motion ? 0 : Math.max(0, spec.frames.findIndex(f => f !== null));
     const surface = k => {
         if (motion) k = 0;
         if (!surfaces[k]) {
@@ -35,16 +38,18 @@ function bodyModel(spec, colour, edged) {
         }
         return surfaces[k];
     };
-    const skin = new THREE.Mesh(surface(0), new THREE.MeshPhongMaterial(
+    const skin = new THREE.Mesh(surface(first), new THREE.MeshPhongMaterial(
         { color: colour, side: THREE.DoubleSide, shininess: 20, flatShading: edged, polygonOffset: true,
             polygonOffsetFactor: 1, polygonOffsetUnits: 1, opacity: 0.55 }));
-    const edges = new THREE.Mesh(surface(0), new THREE.MeshBasicMaterial(
+    const edges = new THREE.Mesh(surface(first), new THREE.MeshBasicMaterial(
         { color: 0x3a2a10, wireframe: true, transparent: true, opacity: 0.35 }));
     const group = new THREE.Group();
     group.add(skin, edges);
     edges.visible = false;
     skin.userData.name = spec.name;
     const show = k => {
+        group.visible = there(k);
+        if (!group.visible) return;
         if (motion) {
             const m = motion.subarray(7 * k, 7 * k + 7);
             group.position.set(m[0], m[1], m[2]);
@@ -54,12 +59,16 @@ function bodyModel(spec, colour, edged) {
         }
         group.updateMatrixWorld(true);
     };
+    // null while it is not there
     const sphere = k => {
         show(k);
+        if (!group.visible) return null;
         skin.geometry.computeBoundingSphere();
         return skin.geometry.boundingSphere.clone().applyMatrix4(group.matrixWorld);
     };
-    return { name: spec.name, colour, group, skin, edges, show, sphere };
+    let entry = 0;                          // the first time that it is drawn
+    while (entry < times - 1 && !there(entry)) ++entry;
+    return { name: spec.name, colour, group, skin, edges, show, sphere, entry };
 }
 
 // Bonds as thin rods: blue are pressed, red are pulled
@@ -137,11 +146,12 @@ function bodies(spec) {
     world.add(camera, new THREE.AmbientLight(0xffffff, 0.45));
     const controls = new THREE.OrbitControls(camera, canvas);
 
-    const models = spec.bodies.map((b, i) => bodyModel(b, BODY_COLOURS[i % 5], "factor" in spec));
+    const models = spec.bodies.map((b, i) => bodyModel(b, BODY_COLOURS[i % 5], "factor" in spec, spec.times.length));
     models.forEach(m => world.add(m.group));
     const last = spec.times.length - 1;
-    const size = Math.max(...models.map(m => m.sphere(0).radius));
-    const everything = [0, Math.floor(last / 2), last].map(around).reduce((a, b) => a.union(b));
+    const size = Math.max(1e-300, ...models.map(m => { const s = m.sphere(m.entry); return s ? s.radius : 0; }));
+    const everything = [0, Math.floor(last / 2), last, ...models.map(m => m.entry)].map(around)
+        .reduce((a, b) => a.union(b));
     const ways = wayLines(spec, models);
     world.add(ways);
     const walls = spec.walls.map(wallModel);
@@ -160,7 +170,7 @@ function bodies(spec) {
         const box = new THREE.Box3();
         for (const m of models) {
             m.show(k);
-            box.union(new THREE.Box3().setFromObject(m.group));
+            if (m.group.visible) box.union(new THREE.Box3().setFromObject(m.group));
         }
         return box;
     }
@@ -179,7 +189,8 @@ function bodies(spec) {
         controls.update();
     }
     function reset() {
-        look(element("follow").checked ? around(state.frame) : everything);
+        const here = around(state.frame);
+        look(element("follow").checked && !here.isEmpty() ? here : everything);
         models.forEach(m => m.show(state.frame));
     }
     function show(k) {
@@ -201,8 +212,9 @@ function bodies(spec) {
         charts.forEach(c => c.show(time));
     }
     function follow() {
-        const centre = state.chosen.sphere(state.frame).center;
-        if (element("follow").checked && state.before) {
+        const sphere = state.chosen.sphere(state.frame);
+        const centre = sphere && sphere.center;
+        if (element("follow").checked && centre && state.before) {
             const way = centre.clone().sub(state.before);
             camera.position.add(way);
             controls.target.add(way);
@@ -217,6 +229,7 @@ function bodies(spec) {
         for (const t of data.tables) {
             const [, body, ...rest] = t.path.split("/");
             if (body !== name || !wanted.includes(rest.join("/")) || !t.recorded) continue;
+            if (!state.chosen.group.visible) continue;
             const row = nearest(t.values[0], time);
             const line = make("tr", { "data-path": t.path, "data-row": row }, table);
             make("td", {}, line, `${name} ${rest.join(" ")}`);
@@ -226,7 +239,8 @@ function bodies(spec) {
     }
     function choose(model) {
         state.chosen = model;
-        state.before = model.sphere(Math.max(state.frame, 0)).center;
+        const sphere = model.sphere(Math.max(state.frame, 0));
+        state.before = sphere && sphere.center;
         models.forEach((m, i) => element("choices").children[i].classList.toggle("chosen", m === model));
         values(spec.times[Math.max(state.frame, 0)]);
     }
@@ -240,7 +254,7 @@ function bodies(spec) {
         const ray = new THREE.Raycaster();
         ray.setFromCamera(new THREE.Vector2((event.clientX - place.left) / place.width * 2 - 1,
             1 - (event.clientY - place.top) / place.height * 2), camera);
-        const hit = ray.intersectObjects(models.map(m => m.skin))[0];
+        const hit = ray.intersectObjects(models.filter(m => m.group.visible).map(m => m.skin))[0];
         if (hit) choose(models.find(m => m.skin === hit.object));
     }
 
@@ -302,9 +316,10 @@ function bodies(spec) {
 function wayLines(spec, models) {
     const group = new THREE.Group();
     models.forEach(m => {
-        if (!spec.paths[m.name]) return;
-        const [geometry, look] = lines(floats(spec.paths[m.name]), m.colour, 0.9);
-        group.add(new THREE.Line(geometry, new THREE.LineBasicMaterial(look)));
+        for (const path of spec.paths[m.name] || []) {
+            const [geometry, look] = lines(floats(path), m.colour, 0.9);
+            group.add(new THREE.Line(geometry, new THREE.LineBasicMaterial(look)));
+        }
     });
     return group;
 }

@@ -4,7 +4,8 @@
 
 Where all bodies keep their shapes they are shown at every step, by their
 positions and orientations in the history, otherwise at the saved times; bonds
-are known at the saved times.
+are known at the saved times. A body that enters or leaves is there while it is in
+the domain.
 """
 
 import base64
@@ -77,13 +78,12 @@ def collect(case, run):
 def _in_fluid(case, run):
     with vtk_files.VTKFiles(case, fields="none", times="all", internal=False) as states:
         names = [name for _, name in run.bodies() or _recorded(run)]
-        # a body that comes or goes is drawn if every saved state has it
-        names = [name for name in names
-                 if all(name in state.patches() for state in states)]
+        surfaces = {n: _present(n, states) for n in names}
+        names = [n for n in names if any(surfaces[n])]
         if not names:
-            return {"missing": "no body is in all saved states"}
-        surfaces = {n: [Surface(state.patch(n)) for state in states] for n in names}
-        walls = [_walls(s, [surfaces[n][k] for n in names], names)
+            return {"missing": "no body is in any saved state"}
+        surfaces = {n: surfaces[n] for n in names}
+        walls = [_walls(s, [surfaces[n][k] for n in names if surfaces[n][k]], names)
                  for k, s in enumerate(states)]
     times = [state.time for state in states]
     bonds = [vtk_files.saved_drawing(case, t, "bonds.vtk") for t in times]
@@ -92,7 +92,13 @@ def _in_fluid(case, run):
         shown = _stepped(run, names, kept, times, bonds)
     else:
         shown = _saved(times, surfaces, bonds)
-    return {**shown, "walls": walls, "paths": {n: _path(run, n) for n in names}}
+    return {**shown, "walls": walls, "paths": {n: _paths(run, n) for n in names}}
+
+
+def _present(name, states):
+    """A body's surface in every state; None where it has not entered, or has left."""
+    return [Surface(state.patch(name)) if name in state.patches()
+            and state.patch(name).GetNumberOfPoints() else None for state in states]
 
 
 def _alone(case, run):
@@ -131,7 +137,8 @@ def _rotation(q):
 
 
 def _motion(run, name, turns):
-    """Time, centre, quaternion of every step; None of an elastic body."""
+    """Time, centre, quaternion of every step that the body is there; None of an elastic
+    body."""
     if f"bodies/{name}/position" not in run.history:
         return None
     at = run.history[f"bodies/{name}/position"].array
@@ -144,10 +151,10 @@ def _kept_shape(run, name, times, surfaces):
     if the body deforms. What is prescribed may move without turning."""
     for turns in (True, False):
         motion = _motion(run, name, turns)
-        if motion is None or len(motion) != len(run.history["cost"]):
+        if motion is None or not len(motion):
             return None
         rows = [_row(motion[:, 0], t) for t in times]
-        known = [k for k, r in enumerate(rows) if r is not None]
+        known = [k for k, r in enumerate(rows) if r is not None and surfaces[k]]
         if not known:
             return None
         local = [(surfaces[k].points - motion[rows[k], 1:4]) @ _rotation(motion[rows[k], 4:])
@@ -172,12 +179,19 @@ def _stepped(run, names, kept, saved, bonds):
     rows = np.union1d(thinned(len(times), MAX_TIMES), list(states)).astype(int)
     bodies = []
     for name in names:
-        surface, motion = kept[name]
+        surface, motion = kept[name][0], _of_steps(kept[name][1], times)
         bodies.append({"name": name, "faces": _text(surface.faces, "<u4"),
                        "points": _text(surface.points, "<f4"),
                        "motion": _text(motion[rows, 1:], "<f4")})
     return {"times": times[rows].tolist(), "bodies": bodies,
             "bonds": [_bonds(states.get(k)) for k in rows] if any(bonds) else []}
+
+
+def _of_steps(motion, times):
+    """With a row for every step; no number while the body is not there."""
+    rows = np.full((len(times), motion.shape[1]), np.nan)
+    rows[np.isin(times, motion[:, 0])] = motion[np.isin(motion[:, 0], times)]
+    return rows
 
 
 def _row(times, wanted):
@@ -187,14 +201,17 @@ def _row(times, wanted):
 
 
 def _saved(times, surfaces, bonds):
-    size = sum(s.points.size * 4 for all in surfaces.values() for s in all)
+    size = sum(s.points.size * 4 for all in surfaces.values() for s in all if s)
     rows = thinned(len(times), max(2, int(len(times) * min(1, MAX_BYTES / size))))
     bodies = []
     for name, all_surfaces in surfaces.items():
-        first = all_surfaces[0].faces
+        first = next(s.faces for s in all_surfaces if s)
         frames = []
         for k in rows:
             s = all_surfaces[k]
+            if s is None:
+                frames.append(None)
+                continue
             frames.append({"points": _text(s.points, "<f4")})
             if not np.array_equal(s.faces, first):
                 frames[-1]["faces"] = _text(s.faces, "<u4")
@@ -215,13 +232,16 @@ def _bonds(data):
     return {"ends": _text(ends, "<f4"), "tension": [float(f"{t:.4g}") for t in tension]}
 
 
-def _path(run, name):
-    """The way of the centre."""
+def _paths(run, name):
+    """The ways of the centre, one for each time that the body is in the domain."""
+    steps = run.history["cost"]["time"]
     for table in (f"bodies/{name}/position", f"elasticBodies/{name}/centre"):
         if table in run.history:
             way = run.history[table].array
-            return _text(way[thinned(len(way), 500), 1:], "<f4")
-    return ""
+            gaps = np.flatnonzero(np.diff(np.searchsorted(steps, way[:, 0])) > 1) + 1
+            return [_text(part[thinned(len(part), 500), 1:], "<f4")
+                    for part in np.split(way, gaps) if len(part)]
+    return []
 
 
 def _walls(state, surfaces, bodies):
@@ -243,7 +263,7 @@ def _walls(state, surfaces, bodies):
 
 
 def _near(surfaces, axis, place):
-    return min(abs(s.points[:, axis] - place).min() / s.radius() for s in surfaces) < 1
+    return any(abs(s.points[:, axis] - place).min() < s.radius() for s in surfaces)
 
 
 # Displacements

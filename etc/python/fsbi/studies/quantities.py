@@ -20,6 +20,7 @@ REDUCTION       last (default), first, max, min, sum (of all rows), mean (over
 """
 
 import csv
+import functools
 import glob
 import json
 import os
@@ -77,7 +78,7 @@ class Quantity:
 
     def _series(self, folder):
         try:
-            history = History(os.path.join(folder, "postProcessing/history.h5"))
+            history = _history(os.path.join(folder, "postProcessing/history.h5"))
         except (FileNotFoundError, OSError) as error:
             raise Refused(f"quantity '{self.text}': {error}") from None
         found = (_derived(history, self.parts) or _column(history, self.parts)
@@ -86,6 +87,16 @@ class Quantity:
             raise Refused(f"quantity '{self.text}' is not in the history; there are "
                           + ", ".join(_offered(history)))
         return found
+
+
+def _history(path):
+    about = os.stat(path) if os.path.isfile(path) else None
+    return _read(path, about and (about.st_ino, about.st_mtime_ns, about.st_size))
+
+
+@functools.lru_cache(maxsize=1)     # a study asks one run for all of its quantities
+def _read(path, version):
+    return History(path)
 
 
 def _offered(history):
