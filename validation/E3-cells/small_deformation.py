@@ -17,7 +17,15 @@ half the rate of shear, first order in it.
 
 With a membrane of rubber of modulus G around a liquid this is 25/12 mu rate/G, as
 D. Barthes-Biesel and J. M. Rallison found (J. Fluid Mech. 113 (1981) 251), and with no
-membrane 5/4 mu rate/G, as of an elastic sphere."""
+membrane 5/4 mu rate/G, as of an elastic sphere.
+
+The shape of a capsule follows its flow in the time that liquids take, while it turns at half
+the rate of shear: with P and Q as complex amplitudes exp(-i rate t) of what turns, their rates
+P', Q' are those of a velocity of the surface, for which flows outside (a stresslet and a
+potential flow) and inside (as the solid, with velocities) are known, and tractions of both and
+of the membrane balance. Of a tension alone this is the deformation of a drop (G. I. Taylor
+1932; R. G. Cox, J. Fluid Mech. 37 (1969) 601): it is first order in the deformation, at any
+ratio of viscosities and any rate of following."""
 
 import numpy as np
 
@@ -98,6 +106,28 @@ def deformation(law=None, shear=0, area=0, tension=0, solid=None):
     stiffness = surface_stiffness(W, 2 * tension) + works() @ solid_stiffness(G, nu)
     P, Q = np.linalg.solve(stiffness, works() @ np.array([5, 0]))
     return (P + Q) / 2
+
+
+def outside():
+    """Tractions (of E.n, of (n.E.n) n) for velocities of the surface of a sphere, of the
+    fluid around it, at rest far away, of viscosity 1."""
+    # x (x.E.x)/r^5 with the pressure 2 x.E.x/r^5, and the gradient of x.E.x/r^5
+    shapes = np.array([[0, 2], [1, -5]])
+    tractions = np.array([[2, -16], [-8, 40]])
+    return tractions @ np.linalg.inv(shapes)
+
+
+def capsule(ratio, law=None, shear=0, area=0, tension=0):
+    """Taylor's parameter and the inclination (degrees) of a capsule in shear; moduli over
+    viscosity, radius and rate of shear; ratio: of the viscosities inside and outside."""
+    W = energy_per_area(law, shear, area, tension)
+    membrane = np.linalg.inv(works()) @ surface_stiffness(W, 2 * tension)
+    resistance = outside() - solid_stiffness(ratio, 0.4999999)
+    # resistance (P', Q') = membrane (P, Q) + what the flow without a capsule pulls
+    pull = outside() @ np.array([1, 0]) - np.array([2, 0])
+    rates = np.linalg.solve(resistance, np.column_stack([membrane, pull]))
+    P, Q = np.linalg.solve(1j * np.eye(2) - rates[:, :2], rates[:, 2])
+    return abs(P + Q) / 2, 45 + np.degrees(np.angle(P + Q)) / 2
 
 
 def laplace_stretch(tension, radius, young, nu):
