@@ -86,8 +86,9 @@ void Foam::fsbi::partitioned::checkParts() const
         if (body->tethered() || body->elastic->state().material().flows())
         {
             FatalErrorInFunction
-                << "Tethered bodies and those of a liquid need the scheme 'monolithic' in 'coupling'"
-                << " of system/fluid/fvSolution" << exit(FatalError);
+                << "Tethered bodies and those of a liquid need the scheme"
+                << " 'monolithic' in 'coupling' of system/fluid/fvSolution"
+                << exit(FatalError);
         }
     }
 }

@@ -209,6 +209,14 @@ void Foam::fsbi::recorder::declareElastic(const solidRegion& body)
     (
         path/"deformation", {"minJ", "minStretch", "maxStretch"}, "-"
     );
+    if (body.hasCortex())
+    {
+        history_.declare
+        (
+            path/"cortex", {"area", "energy", "leastStretch", "mostStretch"},
+            "L^2, M L^2/T^2, -, -"
+        );
+    }
     if (scene_.hasFluid())
     {
         declareStresslet(path);

@@ -178,6 +178,18 @@ void Foam::fsbi::recorder::appendHistory(const solidRegion& body)
     add("angularMomentum", m.angularMomentum);
     add("centre", m.centre);
     add("deformation", vector(m.minJ, m.minStretch, m.maxStretch));
+    if (body.hasCortex())
+    {
+        history_.append
+        (
+            path/"cortex", t,
+            scalarList
+            ({
+                m.skin.area, m.skin.energy, m.skin.leastStretch,
+                m.skin.mostStretch
+            })
+        );
+    }
     if (scene_.hasFluid())
     {
         const equivalentEllipsoid shape(body.surface().placedSurface());

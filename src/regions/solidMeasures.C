@@ -74,7 +74,11 @@ void Foam::fsbi::solidMeasures::setDeformation
         elastic += volumes[celli]*mean;
     }
     reduce(elastic, sumOp<scalar>());
-    elastic += solid.skin() ? solid.skin()->energy() : 0;
+    if (solid.skin())
+    {
+        skin = solid.skin()->measured();
+        elastic += skin.energy;
+    }
     reduce(minJ, minOp<scalar>());
     reduce(minStretch, minOp<scalar>());
     reduce(maxStretch, maxOp<scalar>());

@@ -41,6 +41,11 @@ def laplace():
     # 0.042 (h/a)^2 where they are equilateral; twice that for others. The inside is uniform
     results.add("laplace_contraction", 1 - radius / RADIUS, 1 - stretch, 0.084 * EDGE**2,
                 seconds=run.seconds, cells=run.cells)
+    skin = run.history["elasticBodies/cell/cortex"]
+    # bound: as above, the area of the mesh over that of the sphere
+    results.add("laplace_area", skin["area"][-1], 4 * np.pi * radius**2, 0.084 * EDGE**2)
+    # bound: a tension has no other energy than with the area
+    results.add("laplace_energy", skin["energy"][-1], 8e-4 * skin["area"][-1], 1e-12)
 
 
 def in_shear(name, expected, inclination=None):

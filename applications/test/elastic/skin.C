@@ -73,9 +73,9 @@ static void checkForces(checks& c, elasticCase& body, const std::string& text)
     };
     const auto at = [&](const vectorField& x){ return whole(skin.forces(x)); };
     const vectorField more(at(u + h*along));
-    const scalar above = skin.energy();
+    const scalar above = skin.measured().energy;
     const vectorField less(at(u - h*along));
-    const scalar below = skin.energy();
+    const scalar below = skin.measured().energy;
     const vectorField force(at(u));
     const vectorField change(whole(skin.tangent(along)));
     const scalar work = sum(force & along);

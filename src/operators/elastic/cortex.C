@@ -230,12 +230,22 @@ bool Foam::fsbi::cortex::valid() const
 }
 
 
-Foam::scalar Foam::fsbi::cortex::energy() const
+Foam::fsbi::cortex::measures Foam::fsbi::cortex::measured() const
 {
-    scalar sum = 0;
+    measures m;
+    m.leastStretch = GREAT;
+    m.mostStretch = 0;
     for (const element& t : elements_)
     {
-        sum += t.area*t.W.W;
+        const scalar now = 0.5*mag(t.e1 ^ t.e2);
+        m.energy += t.area*t.W.W;
+        m.area += now;
+        m.leastStretch = min(m.leastStretch, now/t.area);
+        m.mostStretch = max(m.mostStretch, now/t.area);
     }
-    return returnReduce(sum, sumOp<scalar>());
+    reduce(m.energy, sumOp<scalar>());
+    reduce(m.area, sumOp<scalar>());
+    reduce(m.leastStretch, minOp<scalar>());
+    reduce(m.mostStretch, maxOp<scalar>());
+    return m;
 }

@@ -127,27 +127,6 @@ Foam::vector Foam::fsbi::secondOrderElastic::unexplained
 }
 
 
-Foam::vector Foam::fsbi::secondOrderElastic::flowing(const label i) const
-{
-    const tensor F(stencil_.faceMean(i, state_.deformation()));
-    return F & ((F.T() & unexplained_[i]) - jumpHistory_[i]);
-}
-
-
-Foam::vector Foam::fsbi::secondOrderElastic::flowingTangent
-(
-    const label i, const vector& change
-) const
-{
-    const tensor F(stencil_.faceMean(i, state_.deformation()));
-    const tensor dF(stencil_.faceMean(i, dGradient_));
-    const vector& e = unexplained_[i];
-    return
-        (dF & ((F.T() & e) - jumpHistory_[i]))
-      + (F & ((dF.T() & e) + (F.T() & change)));
-}
-
-
 void Foam::fsbi::secondOrderElastic::setStiffening()
 {
     forAll(stiffening_, v)
@@ -324,22 +303,6 @@ void Foam::fsbi::secondOrderElastic::residual
     {
         addCortex(cortex_->forces(atVertices(values_)), r);
     }
-}
-
-
-void Foam::fsbi::secondOrderElastic::addCortex
-(
-    cortex::acting forces, scalar* r
-) const
-{
-    vectorField cells(mesh_.nCells(), Zero);
-    shareForces(forces.vertices, cells, forces.faces);
-    vector* rows = asVectors(r);
-    forAll(cells, i)
-    {
-        rows[i] -= cells[i];
-    }
-    boundary_.addLoad(forces.faces, r);
 }
 
 
