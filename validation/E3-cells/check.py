@@ -84,7 +84,8 @@ def main():
     # bound: a restart knows all
     results.add("continued_difference_abs", np.abs(shape("continued") - whole).max(), 0, 0)
     # bound: other processes, other coordinates and sums, solved to 1e-6
-    results.add("parallel_difference_abs", np.abs(shape("parallel") / whole - 1).max(), 0, 1e-5)
+    for name in ("parallel", "spread"):
+        results.add(f"{name}_difference_abs", np.abs(shape(name) / whole - 1).max(), 0, 1e-5)
     results.write()
 
 

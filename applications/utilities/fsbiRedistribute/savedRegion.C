@@ -227,7 +227,10 @@ Foam::fsbi::savedRegion::placesOfPart Foam::fsbi::savedRegion::placesOf
         {
             return &meshPart::boundaryPlaces;
         }
-        if (name == "referenceF" || name == "oldF")
+        if
+        (
+            name == "referenceF" || name == "oldF" || name == "olderF"
+        )
         {
             return &meshPart::pointPlaces;
         }
