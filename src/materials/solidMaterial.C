@@ -65,7 +65,7 @@ Foam::fsbi::solidMaterial::solidMaterial(const checkedDictionary& entries)
 
 Foam::autoPtr<Foam::fsbi::solidMaterial> Foam::fsbi::solidMaterial::New
 (
-    const dictionary& dict
+    const dictionary& dict, const wordList& others
 )
 {
     const checkedDictionary entries(dict);
@@ -80,7 +80,10 @@ Foam::autoPtr<Foam::fsbi::solidMaterial> Foam::fsbi::solidMaterial::New
             << exit(FatalIOError);
     }
     autoPtr<solidMaterial> law(constructor()(entries));
-    entries.found("cortex");    // of its surface, which the operator reads
+    for (const word& other : others)
+    {
+        entries.found(other);
+    }
     entries.finish();
     return law;
 }

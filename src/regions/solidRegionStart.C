@@ -42,7 +42,7 @@ Foam::fsbi::solidRegion::solidRegion
             )
         )
     ),
-    material_(solidMaterial::New(materialEntries_)),
+    material_(solidMaterial::New(materialEntries_, {"cortex"})),
     inFluid_(site.inFluid),
     tethered_(Zero),
     fluidForce_(Zero),
