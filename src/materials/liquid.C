@@ -18,31 +18,9 @@ namespace fsbi
 
 Foam::fsbi::liquid::liquid(const checkedDictionary& entries)
 :
-    solidMaterial(densityOf(entries)),
+    neoHookean(densityOf(entries)),
     viscosity_(entries.positive("viscosity"))
 {}
-
-
-Foam::scalar Foam::fsbi::liquid::theta(const tensor& F) const
-{
-    return Foam::log(det(F));
-}
-
-
-Foam::tensor Foam::fsbi::liquid::thetaGradient(const tensor& F) const
-{
-    return inv(F).T();
-}
-
-
-Foam::tensor Foam::fsbi::liquid::thetaTangent
-(
-    const tensor& F, const tensor& dF
-) const
-{
-    const tensor inverse(inv(F));
-    return -(inverse & dF & inverse).T();
-}
 
 
 Foam::tensor Foam::fsbi::liquid::flowStress

@@ -21,6 +21,12 @@ Foam::fsbi::neoHookean::neoHookean(const checkedDictionary& entries)
 {}
 
 
+Foam::fsbi::neoHookean::neoHookean(const scalar density)
+:
+    solidMaterial(density)
+{}
+
+
 Foam::scalar Foam::fsbi::neoHookean::shearEnergy(const tensor& F) const
 {
     return mu()*(0.5*(magSqr(F) - 3) - Foam::log(det(F)));

@@ -70,7 +70,7 @@ void Foam::fsbi::cortex::addElement(const triFace& corners, const label face)
 }
 
 
-Foam::fsbi::cortex::byEdges Foam::fsbi::cortex::slope(const element& t) const
+Foam::fsbi::cortex::byEdges Foam::fsbi::cortex::slopeOf(const element& t)
 {
     // of the energy by m_11, m_22, and half of that by m_12
     const scalar q = t.overDet*t.W.d;
@@ -87,7 +87,7 @@ Foam::fsbi::cortex::byEdges Foam::fsbi::cortex::slope(const element& t) const
 Foam::fsbi::cortex::byEdges Foam::fsbi::cortex::slopeTangent
 (
     const element& t, const vector& de1, const vector& de2
-) const
+)
 {
     const scalar m11 = magSqr(t.e1), m22 = magSqr(t.e2), m12 = t.e1 & t.e2;
     const scalar dm11 = 2*(t.e1 & de1), dm22 = 2*(t.e2 & de2);
@@ -161,6 +161,7 @@ Foam::fsbi::cortex::acting Foam::fsbi::cortex::forces(const vectorField& u)
         {
             valid_ = false;
             t.W = membraneLaw::energy();
+            t.slope = {Zero, Zero};
             continue;
         }
         t.W = membraneLaw::constantTension(tension_, d);
@@ -168,9 +169,9 @@ Foam::fsbi::cortex::acting Foam::fsbi::cortex::forces(const vectorField& u)
         {
             t.W += law_->at(t.G11*m11 + 2*t.G12*m12 + t.G22*m22, d);
         }
-        const byEdges by(slope(t));
-        pull(t, by, force.vertices);
-        sums.x() += (by.e1 & t.e1) + (by.e2 & t.e2);
+        t.slope = slopeOf(t);
+        pull(t, t.slope, force.vertices);
+        sums.x() += (t.slope.e1 & t.e1) + (t.slope.e2 & t.e2);
         sums.y() += 0.5*(at(0) & (t.e1 ^ t.e2));
     }
     reduce(sums, sumOp<vector2D>());
@@ -199,10 +200,11 @@ Foam::fsbi::cortex::acting Foam::fsbi::cortex::tangent
     for (const element& t : elements_)
     {
         const vector de1(edge(t, 1)), de2(edge(t, 2));
-        const byEdges by(slope(t)), dBy(slopeTangent(t, de1, de2));
-        pull(t, dBy, force.vertices);
+        const byEdges change(slopeTangent(t, de1, de2));
+        pull(t, change, force.vertices);
         sums.x() +=
-            (dBy.e1 & t.e1) + (dBy.e2 & t.e2) + (by.e1 & de1) + (by.e2 & de2);
+            (change.e1 & t.e1) + (change.e2 & t.e2)
+          + (t.slope.e1 & de1) + (t.slope.e2 & de2);
         sums.y() +=
             0.5
            *(
