@@ -7,121 +7,51 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "sharedVertices.H"
 #include <Eigen/Eigenvalues>
 
-// * * * * * * * * * * * * * * * * Of a vertex * * * * * * * * * * * * * * * //
-
-Foam::fsbi::membraneBending::curvature::curvature
-(
-    const derivatives& x,
-    const scalar modulus,
-    const scalar rest,
-    const scalar restArea
-)
-:
-    x_(x),
-    modulus_(modulus),
-    rest_(rest),
-    restArea_(restArea),
-    N_(x[0] ^ x[1]),
-    J_(mag(N_)),
-    a11_(magSqr(x[0])),
-    a12_(x[0] & x[1]),
-    a22_(magSqr(x[1])),
-    P_(a22_*x[2] - 2*a12_*x[3] + a11_*x[4])
-{}
-
-
-Foam::fsbi::membraneBending::derivatives
-Foam::fsbi::membraneBending::curvature::slope() const
-{
-    const scalar K = sum();
-    const scalar bent = modulus_*(K - rest_)/restArea_;
-
-    // of the energy by P.N and by J
-    const scalar s = -bent/sqr(J_);
-    const scalar t = bent*(0.5*(K - rest_) - 3*K);
-    const vector n(N_/J_);
-    const vector byN(s*P_ + t*n);
-    const scalar c11 = s*(x_[2] & N_), c12 = s*(x_[3] & N_);
-    const scalar c22 = s*(x_[4] & N_);
-
-    derivatives by;
-    by[0] = 2*(c22*x_[0] - c12*x_[1]) + (x_[1] ^ byN);
-    by[1] = 2*(c11*x_[1] - c12*x_[0]) + (byN ^ x_[0]);
-    by[2] = s*a22_*N_;
-    by[3] = -2*s*a12_*N_;
-    by[4] = s*a11_*N_;
-    return by;
-}
-
-
-Foam::fsbi::membraneBending::derivatives
-Foam::fsbi::membraneBending::curvature::slopeTangent
-(
-    const derivatives& dx
-) const
-{
-    const scalar K = sum();
-    const vector n(N_/J_);
-    const vector dN((dx[0] ^ x_[1]) + (x_[0] ^ dx[1]));
-    const scalar dJ = n & dN;
-    const vector dn((dN - n*dJ)/J_);
-    const scalar da11 = 2*(x_[0] & dx[0]), da22 = 2*(x_[1] & dx[1]);
-    const scalar da12 = (dx[0] & x_[1]) + (x_[0] & dx[1]);
-    const vector dP
-    (
-        da22*x_[2] + a22_*dx[2] - 2*(da12*x_[3] + a12_*dx[3])
-      + da11*x_[4] + a11_*dx[4]
-    );
-    const scalar dK = -((dP & N_) + (P_ & dN))/pow3(J_) - 3*K*dJ/J_;
-
-    const scalar stiff = modulus_/restArea_;
-    const scalar bent = stiff*(K - rest_);
-    const scalar s = -bent/sqr(J_);
-    const scalar t = bent*(0.5*(K - rest_) - 3*K);
-    const scalar ds = -stiff*dK/sqr(J_) - 2*s*dJ/J_;
-    const scalar dt = stiff*dK*(2*rest_ - 5*K);
-    const vector byN(s*P_ + t*n);
-    const vector dByN(ds*P_ + s*dP + dt*n + t*dn);
-
-    const auto c = [&](const label i){ return s*(x_[i] & N_); };
-    const auto dc = [&](const label i)
-    {
-        return ds*(x_[i] & N_) + s*((dx[i] & N_) + (x_[i] & dN));
-    };
-    const vector dsN(ds*N_ + s*dN);
-
-    derivatives by;
-    by[0] =
-        2*(dc(4)*x_[0] + c(4)*dx[0] - dc(3)*x_[1] - c(3)*dx[1])
-      + (dx[1] ^ byN) + (x_[1] ^ dByN);
-    by[1] =
-        2*(dc(2)*x_[1] + c(2)*dx[1] - dc(3)*x_[0] - c(3)*dx[0])
-      + (dByN ^ x_[0]) + (byN ^ dx[0]);
-    by[2] = da22*s*N_ + a22_*dsN;
-    by[3] = -2*(da12*s*N_ + a12_*dsN);
-    by[4] = da11*s*N_ + a11_*dsN;
-    return by;
-}
-
-
-// * * * * * * * * * * * * * * * Of a membrane * * * * * * * * * * * * * * * //
-
 namespace Foam
 {
 namespace fsbi
 {
 
-static vector oneAcross(const vector& n)
+typedef Eigen::Matrix<double, 5, 5> square;
+typedef Eigen::Matrix<double, 5, 1> column;
+
+//- Functions of the fit at the end of an edge, times a weight of 1/distance.
+//  Isotropic curvature is one of them, so that a fit which does not see all has
+//  no part of what it does not see
+static column fitted(const vector& e, const vector& normal)
 {
-    const bool alongX = mag(n.x()) > 0.7;
-    return normalised(n ^ vector(alongX ? 0 : 1, alongX ? 1 : 0, 0));
+    const bool alongX = mag(normal.x()) > 0.7;
+    const vector across
+    (
+        normalised(normal ^ vector(alongX ? 0 : 1, alongX ? 1 : 0, 0))
+    );
+    const scalar a = e & across, b = e & (normal ^ across);
+    column f;
+    f << a, b, 0.5*(a*a + b*b), 0.5*(a*a - b*b), a*b;
+    return f/mag(e);
+}
+
+
+//- Without what is seen a hundred times less than the rest: on regular
+//  triangles eigenvalues differ by 4
+static square pseudoInverse(const square& M)
+{
+    const Eigen::SelfAdjointEigenSolver<square> of(M);
+    column values(of.eigenvalues());
+    const double least = 0.01*values.maxCoeff();
+    for (double& value : values)
+    {
+        value = value > least ? 1/value : 0;
+    }
+    return
+        of.eigenvectors()*values.asDiagonal()*of.eigenvectors().transpose();
 }
 
 
 static scalar product
 (
-    const membraneBending::derivatives& a,
-    const membraneBending::derivatives& b
+    const surfaceCurvature::derivatives& a,
+    const surfaceCurvature::derivatives& b
 )
 {
     scalar s = 0;
@@ -167,7 +97,7 @@ Foam::fsbi::membraneBending::membraneBending
     {
         if (area_[v] > 0)
         {
-            const curvature c(x[v], 0, 0, 1);
+            const surfaceCurvature c(x[v], 0, 0, 1);
             restArea_[v] = c.area();
             rest_[v] = c.sum();
         }
@@ -229,47 +159,26 @@ void Foam::fsbi::membraneBending::setAreas
 
 void Foam::fsbi::membraneBending::setWeights(const vectorField& normals)
 {
-    typedef Eigen::Matrix<double, 5, 5> square;
-    typedef Eigen::Matrix<double, 5, 1> column;
     const pointField& x = mesh_.points();
-
-    // functions of the fit, of a length of the vertex: isotropic curvature is
-    // apart, so that a fit which does not see all has no part of what it does
-    // not see. Weight: 1/distance^2
-    const auto functions = [&](const triFace& t, const label i, const label step)
+    List<FixedList<scalar, 25>> sums(x.size(), FixedList<scalar, 25>(Zero));
+    const auto fit = [&](const triFace& t, const label i, const label step)
     {
-        const label v = t[i];
-        const scalar r = Foam::sqrt(area_[v]);
-        const vector n(normals[v]);
-        const vector t1(oneAcross(n));
-        const vector e(edge(x, t, i, step)/r);
-        const scalar a = e & t1, b = e & (n ^ t1);
-        column f;
-        f << a, b, 0.5*(a*a + b*b), 0.5*(a*a - b*b), a*b;
-        return column(f/mag(e));
+        const vector e(edge(x, t, i, step)/Foam::sqrt(area_[t[i]]));
+        return fitted(e, normals[t[i]]);
     };
-    const auto length = [&](const triFace& t, const label i, const label step)
-    {
-        return mag(edge(x, t, i, step))/Foam::sqrt(area_[t[i]]);
-    };
-
-    List<FixedList<scalar, 25>> normal
-    (
-        x.size(), FixedList<scalar, 25>(Zero)
-    );
+    // an edge inside the membrane is one of two triangles
     for (const triFace& t : triangles_)
     {
         forAll(t, i)
         {
-            Eigen::Map<square> M(normal[t[i]].begin());
             for (const label step : {1, 2})
             {
-                const column f(functions(t, i, step));
-                M += 0.5*f*f.transpose();
+                const column f(fit(t, i, step));
+                Eigen::Map<square>(sums[t[i]].begin()) += 0.5*f*f.transpose();
             }
         }
     }
-    sharedVertices::sum<25>(mesh_, normal.begin()->begin(), nHalo_);
+    sharedVertices::sum<25>(mesh_, sums.begin()->begin(), nHalo_);
 
     weights_.setSize(triangles_.size());
     forAll(triangles_, k)
@@ -278,34 +187,19 @@ void Foam::fsbi::membraneBending::setWeights(const vectorField& normals)
         forAll(t, i)
         {
             const scalar r = Foam::sqrt(area_[t[i]]);
-            const Eigen::SelfAdjointEigenSolver<square> of
-            (
-                square(Eigen::Map<square>(normal[t[i]].begin()))
-            );
-            column overValues(of.eigenvalues());
-            for (double& value : overValues)
-            {
-                value =
-                    value > 0.01*of.eigenvalues().maxCoeff() ? 1/value : 0;
-            }
             const square inverse
             (
-                of.eigenvectors()*overValues.asDiagonal()
-               *of.eigenvectors().transpose()
+                pseudoInverse(Eigen::Map<square>(sums[t[i]].begin()))
             );
             for (const label step : {1, 2})
             {
-                const column c
-                (
-                    inverse*functions(t, i, step)*0.5/length(t, i, step)
-                );
-                FixedList<scalar, 5>& w =
-                    step == 1 ? weights_[k][i].next : weights_[k][i].last;
-                w[0] = c[0]/r;
-                w[1] = c[1]/r;
-                w[2] = (c[2] + c[3])/sqr(r);
-                w[3] = c[4]/sqr(r);
-                w[4] = (c[2] - c[3])/sqr(r);
+                const scalar length = mag(edge(x, t, i, step))/r;
+                const column c(inverse*fit(t, i, step)*(0.5/length));
+                (step == 1 ? weights_[k][i].next : weights_[k][i].last) =
+                {
+                    c[0]/r, c[1]/r, (c[2] + c[3])/sqr(r), c[4]/sqr(r),
+                    (c[2] - c[3])/sqr(r)
+                };
             }
         }
     }
@@ -376,7 +270,8 @@ Foam::scalar Foam::fsbi::membraneBending::addForces
     {
         if (area_[v] > 0)
         {
-            now_[v] = curvature(x_[v], modulus_, rest_[v], restArea_[v]);
+            now_[v] =
+                surfaceCurvature(x_[v], modulus_, rest_[v], restArea_[v]);
             if (!(now_[v].area() > SMALL))
             {
                 valid_ = false;
