@@ -61,10 +61,15 @@ Foam::fsbi::contact::contact
     effect(context),
     gap_(checkedDictionary(dict).positive("gap")),
     range_(checkedDictionary(dict).positive("range", gap_)),
-    pressure_(checkedDictionary(dict).positive("pressure"))
+    pressure_(checkedDictionary(dict).positive("pressure")),
+    friction_(checkedDictionary(dict), context_)
 {
     const checkedDictionary entries(dict);
-    for (const word key : {"gap", "range", "pressure", "libs"})
+    for
+    (
+        const word key :
+        {"gap", "range", "pressure", "friction", "slipSpeed", "libs"}
+    )
     {
         entries.found(key);
     }
@@ -254,13 +259,12 @@ void Foam::fsbi::contact::search
 }
 
 
-void Foam::fsbi::contact::push
+Foam::fsbi::loads::spring Foam::fsbi::contact::pressing
 (
     const currentSurfaces& now,
     const label body,
     const label other,
-    const facing& f,
-    loads& l
+    const facing& f
 ) const
 {
     const scalar s = (f.distance - gap_)/range_;
@@ -280,16 +284,14 @@ void Foam::fsbi::contact::push
             areas_[on].size() > 0
         };
     };
-    l.add
-    (
-        {
-            site(body, f.triangle, f.site),
-            now.isWall(other)
-          ? loads::site() : site(other, f.otherTriangle, f.nearest),
-            k*(1 - 3/sqr(s) + 2/pow3(s))*f.normal,
-            6*k*(1 - s)/(pow4(s)*range_)*tensor(sqr(f.normal))
-        }
-    );
+    return
+    {
+        site(body, f.triangle, f.site),
+        now.isWall(other)
+      ? loads::site() : site(other, f.otherTriangle, f.nearest),
+        k*(1 - 3/sqr(s) + 2/pow3(s))*f.normal,
+        6*k*(1 - s)/(pow4(s)*range_)*tensor(sqr(f.normal))
+    };
 }
 
 
@@ -319,11 +321,18 @@ void Foam::fsbi::contact::visitAll
 void Foam::fsbi::contact::apply(loads& l) const
 {
     const currentSurfaces now(context_);
+    const List<CoulombFriction::motion> moved(friction_.motions());
     visitAll
     (
         now, [&](const label a, const label b, const facing& f)
         {
-            push(now, a, b, f, l);
+            const loads::spring normal(pressing(now, a, b, f));
+            l.add(normal);
+            if (moved.size())
+            {
+                vector slip;
+                l.add(friction_.between(now, moved, b, normal, slip));
+            }
         }
     );
 }
@@ -469,21 +478,50 @@ void Foam::fsbi::contact::declare(recording& history) const
         "contact/nearest", {"distance", "force", "energy"},
         "L, gap + range if larger; M L/T2, sum of the magnitudes; M L2/T2"
     );
+    if (friction_.acts())
+    {
+        history.declare
+        (
+            "contact/friction", {"force", "dissipated"},
+            "M L/T2, sum of the magnitudes; M L2/T2, in the step"
+        );
+    }
 }
 
 
 void Foam::fsbi::contact::record(recording& history) const
 {
+    const currentSurfaces now(context_);
+    const List<CoulombFriction::motion> moved(friction_.motions());
+    scalar sum = 0, friction = 0, dissipated = 0;
+    visitAll
+    (
+        now, [&](const label a, const label b, const facing& f)
+        {
+            const loads::spring normal(pressing(now, a, b, f));
+            sum += mag(normal.force);
+            if (moved.size())
+            {
+                vector slip;
+                const loads::spring s
+                (
+                    friction_.between(now, moved, b, normal, slip)
+                );
+                friction += mag(s.force);
+                dissipated -= s.force & slip;
+            }
+        }
+    );
     string names;
-    loads acting{List<List<triFace>>(context_.bodies.size())};
-    apply(acting);
-    scalar sum = 0;
-    for (const loads::spring& s : acting.springs())
-    {
-        sum += mag(s.force);
-    }
     history.append
     (
         "contact/nearest", scalarList({smallest(names) + gap_, sum, energy()})
     );
+    if (friction_.acts())
+    {
+        history.append
+        (
+            "contact/friction", scalarList({friction, dissipated})
+        );
+    }
 }

@@ -55,6 +55,43 @@ static void addEnd
     }
 }
 
+//- Directions in which a spring is stiff, times the root of how much
+static DynamicList<vector> stiffDirections(const loads::spring& s)
+{
+    DynamicList<vector> directions;
+    const scalar k = tr(s.stiffness);
+    if (!(k > 0))
+    {
+        return directions;
+    }
+    // of contact: along the force
+    const vector n(normalised(s.force));
+    if (mag(s.stiffness - k*sqr(n)) < 1e-12*k)
+    {
+        directions.append(Foam::sqrt(k)*n);
+        return directions;
+    }
+    Eigen::Matrix3d S;
+    for (direction i = 0; i < 3; ++i)
+    {
+        for (direction j = 0; j < 3; ++j)
+        {
+            S(i, j) = 0.5*(s.stiffness(i, j) + s.stiffness(j, i));
+        }
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(S);
+    for (direction i = 0; i < 3; ++i)
+    {
+        const scalar lambda = eigen.eigenvalues()[i];
+        if (lambda > negligible*k)
+        {
+            const auto e = eigen.eigenvectors().col(i);
+            directions.append(Foam::sqrt(lambda)*vector(e[0], e[1], e[2]));
+        }
+    }
+    return directions;
+}
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -105,21 +142,21 @@ void Foam::fsbi::cornerSprings::setModes()
     DynamicList<gradient> gradients;
     for (const loads::spring& s : loads_.springs())
     {
-        // of contact: along one direction
-        const scalar k = tr(s.stiffness);
-        if (!loads::onCorners(s) || !(k > 0))
+        if (!loads::onCorners(s))
         {
             continue;
         }
-        const vector n(normalised(s.force));
-        gradient g;
-        addEnd(loads_, s.a, Foam::sqrt(k)*n, g);
-        addEnd(loads_, s.b, -Foam::sqrt(k)*n, g);
-        for (const auto& part : g)
+        for (const vector& along : stiffDirections(s))
         {
-            number.insert({part.first, label(number.size())});
+            gradient g;
+            addEnd(loads_, s.a, along, g);
+            addEnd(loads_, s.b, -along, g);
+            for (const auto& part : g)
+            {
+                number.insert({part.first, label(number.size())});
+            }
+            gradients.append(g);
         }
-        gradients.append(g);
     }
     Eigen::MatrixXd C = Eigen::MatrixXd::Zero(number.size(), number.size());
     for (const gradient& g : gradients)
