@@ -50,8 +50,9 @@ def energy_per_area(law, shear, area, tension):
     return energy
 
 
-def surface_energy(W, P, Q, pressure):
-    """Of the displaced sphere, less pressure times its volume."""
+def surface_energy(W, P, Q, pressure, bending=0):
+    """Of the displaced sphere, less pressure times its volume; bending: the modulus, of
+    Helfrich's energy with the curvature of the sphere as the spontaneous one."""
     def place(angle):
         c, s = np.cos(angle), np.sin(angle)
         radial = Q * (E[0] * c**2 + E[1] * s**2)
@@ -63,15 +64,25 @@ def surface_energy(W, P, Q, pressure):
     meridian, ring = np.hypot(dz, dr), r / np.sin(angle)
     area = np.sum(WEIGHT * W(meridian**2 + ring**2, (meridian * ring)**2)) * 2 * np.pi
     volume = np.sum(WEIGHT * np.pi * r**2 * -dz / np.sin(angle))
-    return area - pressure * volume
+    bent = np.sum(WEIGHT * (curvature(place, angle) - 2)**2 * meridian * ring) * 2 * np.pi
+    return area - pressure * volume + bending / 2 * bent
 
 
-def surface_stiffness(W, pressure):
+def curvature(place, angle, step=1e-3):
+    """Sum of the principal curvatures of a surface of revolution."""
+    before, here, after = (np.array(place(angle + k * step)) for k in (-1, 0, 1))
+    first, second = (after - before) / (2 * step), (after - 2 * here + before) / step**2
+    length = np.hypot(*first)
+    along = (first[1] * second[0] - first[0] * second[1]) / length**3
+    return -along - first[0] / length / here[1]
+
+
+def surface_stiffness(W, pressure, bending=0):
     """Second derivatives of the energy by P and Q."""
     h = 1e-2
 
     def at(p, q):
-        return surface_energy(W, p * h, q * h, pressure)
+        return surface_energy(W, p * h, q * h, pressure, bending)
     mixed = (at(1, 1) - at(1, -1) - at(-1, 1) + at(-1, -1)) / 4
     return np.array([[at(1, 0) - 2 * at(0, 0) + at(-1, 0), mixed],
                      [mixed, at(0, 1) - 2 * at(0, 0) + at(0, -1)]]) / h**2
@@ -117,11 +128,12 @@ def outside():
     return tractions @ np.linalg.inv(shapes)
 
 
-def capsule(ratio, law=None, shear=0, area=0, tension=0):
+def capsule(ratio, law=None, shear=0, area=0, tension=0, bending=0):
     """Taylor's parameter and the inclination (degrees) of a capsule in shear; moduli over
-    viscosity, radius and rate of shear; ratio: of the viscosities inside and outside."""
+    viscosity, radius and rate of shear; ratio: of the viscosities inside and outside; bending: modulus over viscosity,
+    rate of shear and the third power of the radius."""
     W = energy_per_area(law, shear, area, tension)
-    membrane = np.linalg.inv(works()) @ surface_stiffness(W, 2 * tension)
+    membrane = np.linalg.inv(works()) @ surface_stiffness(W, 2 * tension, bending)
     resistance = outside() - solid_stiffness(ratio, 0.4999999)
     # resistance (P', Q') = membrane (P, Q) + what the flow without a capsule pulls
     pull = outside() @ np.array([1, 0]) - np.array([2, 0])

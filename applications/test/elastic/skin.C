@@ -20,7 +20,10 @@ static const std::string skins[] =
     "tension 0.7;",
     "type Skalak; shearModulus 2; areaModulus 5;",
     "type neoHookeanMembrane; shearModulus 2;",
-    "type EvansSkalak; shearModulus 2; areaModulus 5; tension 0.3;"
+    "type EvansSkalak; shearModulus 2; areaModulus 5; tension 0.3;",
+    "tension 0.3; bendingModulus 0.02;",
+    "type Skalak; shearModulus 2; areaModulus 5; bendingModulus 0.02;"
+    " spontaneousCurvature 0.5;"
 };
 
 static dictionary entries(const std::string& text)

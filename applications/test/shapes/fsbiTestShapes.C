@@ -195,6 +195,19 @@ static void checkOthers(checks& c)
     const bodySurface l(shape("type leukocyte; radius 4;", 0.6));
     checkSurface(c, "leukocyte", l, 0.6, 25);
 
+    // Evans & Fung 1972: 94 um^3 and 135 um^2, 0.81 um thick in the middle
+    const bodySurface r(shape("type redBloodCell; diameter 7.82;", 0.4));
+    checkSurface(c, "red blood cell", r, 0.4, 25);
+    c.checkClose("red blood cell: volume", r.volume(), 94, 0.01);
+    c.checkClose("red blood cell: area", r.area(), 135, 0.01);
+    scalar middle = GREAT;
+    for (const point& p : r.points())
+    {
+        middle = min(middle, mag(p.z()) + (Foam::hypot(p.x(), p.y()) > 1));
+    }
+    // bound: the scale to the volume, h^2/(6 R) over its height
+    c.checkClose("red blood cell: half the middle", middle, 0.405, 0.02);
+
     const bodySurface h
     (
         shape

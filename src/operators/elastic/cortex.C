@@ -24,7 +24,6 @@ Foam::fsbi::cortex::cortex
     {
         law_ = membraneLaw::New(entries);
     }
-    entries.finish();
     if (tension_ < 0 || (tension_ == 0 && !law_))
     {
         FatalIOErrorInFunction(dict)
@@ -49,6 +48,19 @@ Foam::fsbi::cortex::cortex
          || kinds[i] == solidBoundary::coupled;
     }
     reduce(closed_, andOp<bool>());
+    if (entries.found("bendingModulus"))
+    {
+        List<triFace> triangles(elements_.size());
+        forAll(triangles, k)
+        {
+            triangles[k] = elements_[k].corners;
+        }
+        bending_.reset
+        (
+            new membraneBending(mesh, nHalo, triangles, entries)
+        );
+    }
+    entries.finish();
 }
 
 
@@ -174,6 +186,11 @@ Foam::fsbi::cortex::acting Foam::fsbi::cortex::forces(const vectorField& u)
         sums.x() += (t.slope.e1 & t.e1) + (t.slope.e2 & t.e2);
         sums.y() += 0.5*(at(0) & (t.e1 ^ t.e2));
     }
+    if (bending_)
+    {
+        sums.x() += bending_->addForces(mesh_.points() + u, force.vertices);
+        valid_ &= bending_->valid();
+    }
     reduce(sums, sumOp<vector2D>());
     volume3_ = sums.y();
     pressure_ = closed_ ? sums.x()/volume3_ : 0;
@@ -211,6 +228,10 @@ Foam::fsbi::cortex::acting Foam::fsbi::cortex::tangent
                 (3*du[t.corners[0]] + de1 + de2) & (t.e1 ^ t.e2)
             );
     }
+    if (bending_)
+    {
+        sums.x() += bending_->addTangent(du, force.vertices);
+    }
     if (closed_)
     {
         reduce(sums, sumOp<vector2D>());
@@ -244,6 +265,10 @@ Foam::fsbi::cortex::measures Foam::fsbi::cortex::measured() const
         m.area += now;
         m.leastStretch = min(m.leastStretch, now/t.area);
         m.mostStretch = max(m.mostStretch, now/t.area);
+    }
+    if (bending_)
+    {
+        m.energy += bending_->energy();
     }
     reduce(m.energy, sumOp<scalar>());
     reduce(m.area, sumOp<scalar>());
