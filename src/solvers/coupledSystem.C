@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "coupledSystem.H"
 #include "bodyCoupling.H"
+#include "volFields.H"
 #include "PstreamReduceOps.H"
 
 namespace Foam
@@ -40,6 +41,7 @@ bool Foam::fsbi::coupledSystem::set
     given_ = &problem.given;
     bodies_ = &problem.bodies;
     elastic_ = problem.elastic;
+    enclosed_ = enclosed();
     values_ = problem.given;
     const stokesOperator& stokes = momentum_.viscous();
     scales_ = rowScales(momentum_, problem.bodies, elastic_);
@@ -227,11 +229,44 @@ Foam::vectorField Foam::fsbi::coupledSystem::meanDisplacements
 }
 
 
+bool Foam::fsbi::coupledSystem::enclosed() const
+{
+    bool all = elastic_.size() && momentum_.viscous().closed();
+    for (const elasticRows* body : elastic_)
+    {
+        all &= body->elastic->state().material().flows();
+    }
+    return all;
+}
+
+
+void Foam::fsbi::coupledSystem::spreadVolume(scalar* r) const
+{
+    const scalarField& volumes =
+        momentum_.viscous().stencil().mesh().V();
+    scalar sum = 0;
+    forAll(volumes, celli)
+    {
+        sum += r[4*celli + 3];
+    }
+    const scalar mean =
+        returnReduce(sum, sumOp<scalar>())/gSum(volumes);
+    forAll(volumes, celli)
+    {
+        r[4*celli + 3] -= mean*volumes[celli];
+    }
+}
+
+
 void Foam::fsbi::coupledSystem::finishRows
 (
     List<sixVector> defects, const vectorField& tethers, scalar* r
 ) const
 {
+    if (enclosed_)
+    {
+        spreadVolume(r);
+    }
     scales_.apply(r);
     forAll(defects, b)
     {
