@@ -38,7 +38,7 @@ def exact_levels():
     """With the moments that a pilot would only estimate."""
     levels = Levels(paths(8, np.random.default_rng(1)), STEPS, 1 / STEPS, EXACT)
     levels.means, levels.covariance = MEANS, COVARIANCE
-    levels.bias, levels.seeds = EXACT - MEANS, 1000
+    levels.bias, levels.unsure, levels.seeds = EXACT - MEANS, np.zeros(len(STEPS)), 1000
     return levels
 
 
@@ -153,7 +153,7 @@ def test_paths_that_do_not_correlate_want_one_level():
     several = 0
     for seed in range(40):
         levels = pilot(8, together=False, seed=seed, reference=EXACT)
-        levels.bias = EXACT - MEANS
+        levels.bias, levels.unsure = EXACT - MEANS, np.zeros(len(STEPS))
         best = levels.mixes(1.2 * abs(levels.bias[-1]))[0]
         several += len(best.levels) > 1
     assert several <= 6
@@ -168,7 +168,7 @@ def test_chance_is_rarely_taken_for_a_correlation():
 
 def test_paths_that_correlate_want_several():
     levels = pilot(8, reference=EXACT)
-    levels.bias = EXACT - MEANS
+    levels.bias, levels.unsure = EXACT - MEANS, np.zeros(len(STEPS))
     assert len(levels.mixes(1.2 * abs(levels.bias[-1]))[0].levels) > 1
 
 
@@ -176,3 +176,10 @@ def test_out_of_reach():
     levels = exact_levels()
     assert not levels.mixes(0.9 * abs(levels.bias[-1]))
     assert levels.least() == pytest.approx(abs(EXACT - MEANS[-1]))
+
+
+def test_a_bias_that_chance_hides_counts_as_none():
+    levels = pilot(8, together=False)
+    assert (np.abs(levels.bias) < 1.96 * levels.unsure).all()
+    best = levels.mixes(0.05)[0]
+    assert best.levels == (0,) and best.bias == 0

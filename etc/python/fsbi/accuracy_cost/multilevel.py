@@ -91,6 +91,11 @@ class Levels:
         variance = np.einsum("ij,jk,ik->i", weights, self.covariance, weights)
         self.unsure = np.sqrt(np.maximum(variance, 0) / self.seeds)
 
+    def counted(self, level):
+        """The bias that a choice counts with: none where chance leaves it unseen."""
+        seen = abs(self.bias[level]) > SURE * self.unsure[level]
+        return self.bias[level] if seen else 0.0
+
     def _observed(self):
         """The order by the last three means, if chance leaves that to be seen."""
         if self.count < 3:
@@ -105,7 +110,7 @@ class Levels:
 
     def mix(self, levels, wanted):
         """Seeds of every part for a root mean square error; None: the bias is more."""
-        bias = self.bias[levels[-1]]
+        bias = self.counted(levels[-1])
         left = wanted**2 - bias**2
         if left <= 0:
             return None
@@ -134,7 +139,7 @@ class Levels:
 
     def least(self):
         """The smallest error in reach, that of endless seeds."""
-        return float(np.abs(self.bias).min())
+        return min(abs(self.counted(i)) for i in range(self.count))
 
 
 def _order(sizes, ratio):

@@ -178,12 +178,12 @@ def advice(pilot, levels, wanted, scale, mixes):
             lines.append("One level is the cheapest" + _why(pilot, levels) + ".")
     if levels.reference is None:
         lines.append(f"The bias is by order {levels.order:.2g}.")
-    vague = [v for v, b, u in zip(pilot.parameter.values, levels.bias, levels.unsure)
-             if u > max(abs(b), 0.5 * wanted)]
+    vague = [v for i, v in enumerate(pilot.parameter.values)
+             if levels.counted(i) == 0 and SURE * levels.unsure[i] > 0.5 * wanted]
     if vague:
-        lines.append(f"By {levels.seeds} seeds the bias of {pilot.parameter.name} "
-                     f"{', '.join(vague)} cannot be told from zero, and is known to more than half "
-                     f"of what is wanted: --seeds {2 * levels.seeds} would say more.")
+        lines.append(f"Warning: by {levels.seeds} seeds the bias of {pilot.parameter.name} "
+                     f"{', '.join(vague)} cannot be told from zero and counts as none, but may be "
+                     f"more than half of what is wanted: more --seeds would say more.")
     return lines
 
 
@@ -203,7 +203,7 @@ def draw(pilot, levels, wanted, scale, best, path, title=""):
     cheap = min(levels.seconds)
     for i, value in enumerate(pilot.parameter.values):
         seeds = np.geomspace(1, 1e5, 200)
-        error = np.sqrt(levels.bias[i]**2 + levels.variance(i) / seeds) / scale
+        error = np.sqrt(levels.counted(i)**2 + levels.variance(i) / seeds) / scale
         axes.plot(seeds * levels.seconds[i], error, color=plots.COLOURS[i % 6],
                   label=f"{pilot.parameter.name} {value}")
     found = [(m[0].cost, m[0].error / scale) for e in np.geomspace(high, 0.05 * wanted / scale, 120)
