@@ -29,8 +29,8 @@ COVARIANCE = W @ W.T / FINEST
 def paths(seeds, random, together=True):
     """X(T) of all levels, of the same increments or each of its own."""
     shape = (FINEST, seeds) if together else (len(STEPS), FINEST, seeds)
-    dW = random.standard_normal(shape) / np.sqrt(FINEST)
-    found = W @ dW if together else np.einsum("lk,lks->ls", W, dW)
+    noise = random.standard_normal(shape) / np.sqrt(FINEST)
+    found = W @ noise if together else np.einsum("lk,lks->ls", W, noise)
     return found + MEANS[:, None]
 
 
