@@ -98,8 +98,14 @@ Foam::string Foam::fsbi::caseFingerprint
 
 Foam::string Foam::fsbi::flowFingerprint(const Time& time)
 {
-    // a run writes its start to 0: only 0.orig stays as the user has it
-    const fileName start(time.globalPath()/"0.orig"/"fluid"/"U");
+    // a run writes its start to 0: only 0.orig stays as the user has it, and in
+    // copies of a study, which have none, 0 until then
+    const fileName flow(fileName("fluid")/"U");
+    fileName start(time.globalPath()/"0.orig"/flow);
+    if (!isFile(start) && time.value() == 0)
+    {
+        start = time.globalPath()/"0"/flow;
+    }
     SHA1 sum;
     sum.append(contentOf(start));
     return isFile(start) ? textOf(sum) : string();

@@ -138,10 +138,11 @@ Foam::fsbi::reducedTable::reducedTable
     {
         refuse("is of body '" + of + "', not of '" + body + "'");
     }
+    const string along(textOf(opened, "flow"));
     if
     (
         textOf(opened, "fingerprint") != fingerprint
-     || textOf(opened, "flow") != flow
+     || (!along.empty() && !flow.empty() && along != flow)
     )
     {
         refuse
