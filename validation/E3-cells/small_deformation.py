@@ -130,8 +130,8 @@ def outside():
 
 def capsule(ratio, law=None, shear=0, area=0, tension=0, bending=0):
     """Taylor's parameter and the inclination (degrees) of a capsule in shear; moduli over
-    viscosity, radius and rate of shear; ratio: of the viscosities inside and outside; bending: modulus over viscosity,
-    rate of shear and the third power of the radius."""
+    viscosity, radius and rate of shear; ratio: of the viscosities inside and outside; bending:
+    modulus over viscosity, rate of shear and the third power of the radius."""
     W = energy_per_area(law, shear, area, tension)
     membrane = np.linalg.inv(works()) @ surface_stiffness(W, 2 * tension, bending)
     resistance = outside() - solid_stiffness(ratio, 0.4999999)
