@@ -115,6 +115,57 @@ static void checkForces(checks& c, elasticCase& body, const std::string& text)
 }
 
 
+//- A side of a cube that is made a quadric, whose fits are exact. h: height
+static void checkCurvature(checks& c, const fvMesh& mesh)
+{
+    const scalar modulus = 0.7, tension = 1e-3;
+    const scalar hxx = 0.3, hxy = 0.2, hyy = -0.2;
+    List<solidBoundary::kind> kinds
+    (
+        mesh.nFaces() - mesh.nInternalFaces(), solidBoundary::displacement
+    );
+    scalarField areas(mesh.nPoints(), Zero);
+    forAll(kinds, i)
+    {
+        const label facei = mesh.nInternalFaces() + i;
+        if (mesh.faceCentres()[facei].z() > 0.99)
+        {
+            kinds[i] = solidBoundary::traction;
+            for (const label v : mesh.faces()[facei])
+            {
+                areas[v] += mag(mesh.faceAreas()[facei])/3;
+            }
+        }
+    }
+    vectorField u(mesh.nPoints(), Zero);
+    scalar expected = 0;
+    forAll(u, v)
+    {
+        const point& p = mesh.points()[v];
+        const scalar x = p.x(), y = p.y();
+        u[v].z() = 0.5*hxx*x*x + hxy*x*y + 0.5*hyy*y*y + 0.3*x;
+        const scalar hx = hxx*x + hxy*y + 0.3, hy = hxy*x + hyy*y;
+        const scalar W = Foam::sqrt(1 + hx*hx + hy*hy);
+        const scalar K =
+           -((1 + hy*hy)*hxx - 2*hx*hy*hxy + (1 + hx*hx)*hyy)/pow3(W);
+        const bool inside = max(mag(x), mag(y)) < 0.99;
+        expected += inside ? 0.5*modulus*K*K*W*areas[v] : 0;
+    }
+    cortex skin
+    (
+        mesh, 0, kinds, entries("tension 1e-3; bendingModulus 0.7;")
+    );
+    skin.forces(u);
+    const cortex::measures m(skin.measured());
+    // bound: round-off
+    c.checkClose
+    (
+        "energy of bending of a quadric", m.energy - tension*m.area, expected,
+        1e-11
+    );
+}
+
+
 //- Of small strain: principal tensions (K - G)(a + b) + 2 G a
 static void checkModuli(checks& c, const std::string& text, const scalar K)
 {
@@ -233,6 +284,7 @@ void checkSkin(checks& c, const fvMesh& mesh)
         elasticCase body(mesh, "type neoHookean; E 1; nu 0.4;", allFree);
         checkForces(c, body, text);
     }
+    checkCurvature(c, mesh);
     checkModuli(c, skins[1], 5);
     checkModuli(c, skins[2], 6);
     checkModuli(c, "type EvansSkalak; shearModulus 2; areaModulus 5;", 5);
