@@ -41,9 +41,9 @@ bool Foam::fsbi::coupledSystem::set
     given_ = &problem.given;
     bodies_ = &problem.bodies;
     elastic_ = problem.elastic;
-    enclosed_ = enclosed();
     values_ = problem.given;
     const stokesOperator& stokes = momentum_.viscous();
+    enclosedVolume_ = enclosed() ? gSum(stokes.stencil().mesh().V()) : 0;
     scales_ = rowScales(momentum_, problem.bodies, elastic_);
     layout_ =
         systemLayout
@@ -250,7 +250,7 @@ void Foam::fsbi::coupledSystem::spreadVolume(scalar* r) const
         sum += r[4*celli + 3];
     }
     const scalar mean =
-        returnReduce(sum, sumOp<scalar>())/gSum(volumes);
+        returnReduce(sum, sumOp<scalar>())/enclosedVolume_;
     forAll(volumes, celli)
     {
         r[4*celli + 3] -= mean*volumes[celli];
@@ -263,7 +263,7 @@ void Foam::fsbi::coupledSystem::finishRows
     List<sixVector> defects, const vectorField& tethers, scalar* r
 ) const
 {
-    if (enclosed_)
+    if (enclosedVolume_ > 0)
     {
         spreadVolume(r);
     }

@@ -92,12 +92,12 @@ Foam::fsbi::membraneBending::membraneBending
             area_[v] = counted_[v] = 0;
         }
     }
-    const List<derivatives> x(at(mesh.points()));
+    at(mesh.points(), x_);
     forAll(area_, v)
     {
         if (area_[v] > 0)
         {
-            const surfaceCurvature c(x[v], 0, 0, 1);
+            const surfaceCurvature c(x_[v], 0, 0, 1);
             restArea_[v] = c.area();
             rest_[v] = c.sum();
         }
@@ -116,7 +116,7 @@ void Foam::fsbi::membraneBending::setAreas
 {
     const pointField& x = mesh_.points();
     const label n = x.size();
-    // of each vertex: normal, sum of the edges opposite to it, number of edges'
+    // of each vertex: normal, sum of the edges opposite to it and of their
     // lengths, area, processors
     typedef FixedList<scalar, 9> sums;
     List<sums> of(n, sums(Zero));
@@ -206,10 +206,13 @@ void Foam::fsbi::membraneBending::setWeights(const vectorField& normals)
 }
 
 
-Foam::List<Foam::fsbi::membraneBending::derivatives>
-Foam::fsbi::membraneBending::at(const vectorField& x) const
+void Foam::fsbi::membraneBending::at
+(
+    const vectorField& x, List<derivatives>& values
+) const
 {
-    List<derivatives> values(x.size(), derivatives(vector::zero));
+    values.setSize(x.size());
+    values = derivatives(vector::zero);
     forAll(triangles_, k)
     {
         const triFace& t = triangles_[k];
@@ -225,7 +228,6 @@ Foam::fsbi::membraneBending::at(const vectorField& x) const
         }
     }
     sharedVertices::sum<15>(mesh_, values.begin()->begin()->v_, nHalo_);
-    return values;
 }
 
 
@@ -260,7 +262,7 @@ Foam::scalar Foam::fsbi::membraneBending::addForces
     const vectorField& x, vectorField& forces
 )
 {
-    x_ = at(x);
+    at(x, x_);
     now_.setSize(x.size());
     slopes_.setSize(x.size());
     slopes_ = derivatives(vector::zero);
@@ -295,26 +297,27 @@ Foam::scalar Foam::fsbi::membraneBending::addTangent
     const vectorField& dx, vectorField& forces
 ) const
 {
-    const List<derivatives> change(at(dx));
-    List<derivatives> dSlopes(dx.size(), derivatives(vector::zero));
+    at(dx, dx_);
+    dSlopes_.setSize(dx.size());
+    dSlopes_ = derivatives(vector::zero);
     scalar work = 0;
     forAll(area_, v)
     {
         if (area_[v] > 0 && now_[v].area() > SMALL)
         {
-            dSlopes[v] = now_[v].slopeTangent(change[v]);
-            for (vector& by : dSlopes[v])
+            dSlopes_[v] = now_[v].slopeTangent(dx_[v]);
+            for (vector& by : dSlopes_[v])
             {
                 by *= area_[v];
             }
             work +=
                 counted_[v]/area_[v]
                *(
-                    product(dSlopes[v], x_[v]) + product(slopes_[v], change[v])
+                    product(dSlopes_[v], x_[v]) + product(slopes_[v], dx_[v])
                 );
         }
     }
-    scatter(dSlopes, forces);
+    scatter(dSlopes_, forces);
     return work;
 }
 
