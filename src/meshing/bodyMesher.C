@@ -52,9 +52,10 @@ static string severalOutward(const bodySurface& surface)
 // longer by what was measured in uniform meshes.
 class innerSize
 {
-    const surfaceDistance surface_;
+    //- Of all triangles
+    scalarField sizes_;
 
-    const scalarField sizes_;
+    autoPtr<surfaceDistance> surface_;
 
     const scalar inside_;
 
@@ -66,20 +67,37 @@ public:
 
     innerSize
     (
-        const bodySurface& surface, const scalar inside, const scalar growth
+        const bodySurface& surface,
+        const std::vector<bodySurface>& parts,
+        const scalar inside,
+        const scalar growth
     )
     :
-        surface_(surface.points(), surface.triangles()),
-        sizes_(sizeField::triangleSizes(surface)),
         inside_(inside > 0 ? inside : surface.meanEdge()),
         growth_(growth)
-    {}
+    {
+        pointField points;
+        DynamicList<triFace> triangles;
+        const auto add = [&](const bodySurface& s)
+        {
+            const label n = points.size();
+            for (const triFace& t : s.triangles())
+            {
+                triangles.append(triFace(n + t[0], n + t[1], n + t[2]));
+            }
+            points.append(s.points());
+            sizes_.append(sizeField::triangleSizes(s));
+        };
+        add(surface);
+        std::for_each(parts.begin(), parts.end(), add);
+        surface_.reset(new surfaceDistance(points, triangles));
+    }
 
     scalar operator()(const point& p) const
     {
         scalar d;
         label triangle;
-        if (!surface_.find(p, ROOTVGREAT, d, triangle))
+        if (!surface_->find(p, ROOTVGREAT, d, triangle))
         {
             return inside_/edgePerSize_;
         }
@@ -98,6 +116,7 @@ public:
 Foam::fsbi::meshLists Foam::fsbi::bodyMesher::meshOnce
 (
     const bodySurface& surface,
+    const std::vector<bodySurface>& parts,
     const std::function<scalar(const point&)>& size,
     const meshingAttempt& settings
 ) const
@@ -105,6 +124,10 @@ Foam::fsbi::meshLists Foam::fsbi::bodyMesher::meshOnce
     meshLists mesh;
     gmshModel model(surface.bounds().mag());
     model.addSurface(surface);
+    for (const bodySurface& part : parts)
+    {
+        model.addPart(part);
+    }
     List<FixedList<label, 4>> tetrahedra;
     mesh.failure = model.generate(size, settings, mesh.points, tetrahedra);
     if (mesh.valid())
@@ -135,7 +158,8 @@ Foam::fsbi::meshLists Foam::fsbi::bodyMesher::fill
 (
     const word& patchName,
     const bodySurface& surface,
-    const scalar size
+    const scalar size,
+    const std::vector<bodySurface>& parts
 ) const
 {
     checkSurface(patchName, surface);
@@ -148,7 +172,7 @@ Foam::fsbi::meshLists Foam::fsbi::bodyMesher::fill
     const serialScope serial;
     const innerSize wanted
     (
-        surface, size > 0 ? size : controls_.farSize, controls_.growth
+        surface, parts, size > 0 ? size : controls_.farSize, controls_.growth
     );
     const boundBox box(surface.bounds());
     const auto inside = [&](const point& p)
@@ -167,7 +191,7 @@ Foam::fsbi::meshLists Foam::fsbi::bodyMesher::fill
             controls_,
             [&](const meshingAttempt& settings)
             {
-                return meshOnce(surface, std::cref(wanted), settings);
+                return meshOnce(surface, parts, std::cref(wanted), settings);
             },
             controls_.maxNonOrthogonality + moreBorne
         );

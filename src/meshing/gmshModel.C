@@ -79,13 +79,17 @@ Foam::fsbi::gmshModel::gmshModel(const scalar diameter)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsbi::gmshModel::addSurface(const bodySurface& surface)
+std::vector<int> Foam::fsbi::gmshModel::add(const bodySurface& surface)
 {
+    std::vector<int> tags;
     const label first = nGivenPoints_ + 1;
     const label nPoints = surface.points().size();
     for (const bodySurface::shell& shell : surface.shells())
     {
-        const int tag = gmsh::model::addDiscreteEntity(2, 100001 + given_.size());
+        const int tag = gmsh::model::addDiscreteEntity
+        (
+            2, 100001 + given_.size() + filled_.size() + tags.size()
+        );
         std::vector<std::size_t> nodes, corners;
         std::vector<double> coordinates;
         for (const label i : shell.points)
@@ -103,9 +107,10 @@ void Foam::fsbi::gmshModel::addSurface(const bodySurface& surface)
         }
         gmsh::model::mesh::addNodes(2, tag, nodes, coordinates);
         gmsh::model::mesh::addElementsByType(tag, 2, {}, corners);
-        given_.push_back(tag);
+        tags.push_back(tag);
     }
     nGivenPoints_ += nPoints;
+    return tags;
 }
 
 
@@ -169,6 +174,11 @@ Foam::string Foam::fsbi::gmshModel::generate
         for (auto tag = given_.rbegin(); tag != given_.rend(); ++tag)
         {
             shells.push_back(gmsh::model::geo::addSurfaceLoop({*tag}));
+        }
+        for (const int tag : filled_)
+        {
+            shells.push_back(gmsh::model::geo::addSurfaceLoop({tag}));
+            gmsh::model::geo::addVolume({shells.back()});
         }
         gmsh::model::geo::addVolume(shells);
         gmsh::model::geo::synchronize();

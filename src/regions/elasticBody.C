@@ -74,6 +74,11 @@ Foam::fsbi::elasticBody::elasticBody(const word& name, const dictionary& dict)
         }
     }
     readHeld(entries);
+    if (entries.found("parts"))
+    {
+        parts_.read(entries.subDict("parts"));
+        shapeText_ += parts_.text();
+    }
     if (entries.found("deformed"))
     {
         readDeformed(entries);
@@ -186,7 +191,9 @@ Foam::autoPtr<Foam::fvMesh> Foam::fsbi::elasticBody::makeMesh
             (
                 name_,
                 (onSurface ? facets.described() : facets)
-               .transformed(turned_, position_)
+               .transformed(turned_, position_),
+                0,
+                parts_.within(name_, facets, turned_, position_)
             );
         }
         else if (wholeMesh::exists(time, name_))

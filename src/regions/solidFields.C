@@ -73,7 +73,8 @@ Foam::fsbi::solidFields::solidFields
 template<class Type>
 void Foam::fsbi::solidFields::average
 (
-    const Field<Type>& vertices,
+    const partVertices& vertices,
+    const Field<Type>& values,
     GeometricField<Type, fvPatchField, volMesh>& field
 ) const
 {
@@ -82,13 +83,13 @@ void Foam::fsbi::solidFields::average
         Type sum(Zero);
         for (const label v : points)
         {
-            sum += vertices[v];
+            sum += values[v];
         }
         return Type(sum/scalar(points.size()));
     };
     forAll(field, celli)
     {
-        field[celli] = mean(mesh_.cellPoints()[celli]);
+        field[celli] = mean(vertices.ofCells()[celli]);
     }
     field.correctBoundaryConditions();
     for (auto& pf : field.boundaryFieldRef())
@@ -189,9 +190,10 @@ void Foam::fsbi::solidFields::setStress
         strain[v] = strainOf(F[v]);
         J[v] = det(F[v]);
     }
-    average(sigma, sigma_);
-    average(strain, epsilon_);
-    average(J, J_);
+    const partVertices& vertices = elastic.stencil().vertices();
+    average(vertices, sigma, sigma_);
+    average(vertices, strain, epsilon_);
+    average(vertices, J, J_);
     if (const constitutiveState* centres = elastic.atCentres())
     {
         sigma_.primitiveFieldRef() = centres->CauchyStress();
@@ -210,6 +212,13 @@ void Foam::fsbi::solidFields::setStress
 }
 
 
+void Foam::fsbi::solidFields::setParts(const labelUList& ofCells)
+{
+    part_.reset(new volScalarField(zero<volScalarField>("part", mesh_, dimless)));
+    std::copy(ofCells.begin(), ofCells.end(), part_->primitiveFieldRef().begin());
+}
+
+
 void Foam::fsbi::solidFields::write
 (
     const std::function<void(const regIOobject&)>& add
@@ -222,4 +231,8 @@ void Foam::fsbi::solidFields::write
     add(J_);
     add(pointD_);
     add(pointSigma_);
+    if (part_)
+    {
+        add(part_());
+    }
 }

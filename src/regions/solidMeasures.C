@@ -30,25 +30,22 @@ static void principalValues(const symmTensor& C, scalar& least, scalar& most)
 
 void Foam::fsbi::solidMeasures::setDeformation
 (
-    const fvMesh& mesh,
     const scalarField& volumes,
-    const solidMaterial& material,
     const elasticOperator& solid
 )
 {
     const tensorField& F = solid.state().deformation();
-    const scalar lambda = material.lambda();
-    const bool pressures = solid.state().mixed() && lambda > 0;
     scalarField energy(F.size());
     minJ = minStretch = GREAT;
     maxStretch = 0;
     forAll(F, v)
     {
+        const solidMaterial& law = solid.state().law(v);
         energy[v] =
-            pressures
-          ? material.shearEnergy(F[v])
-          + 0.5*sqr(solid.state().pressure()[v])/lambda
-          : material.energy(F[v]);
+            solid.state().mixed() && law.lambda() > 0
+          ? law.shearEnergy(F[v])
+          + 0.5*sqr(solid.state().pressure()[v])/law.lambda()
+          : law.energy(F[v]);
         minJ = min(minJ, det(F[v]));
         scalar least, most;
         principalValues(symm(F[v].T() & F[v]), least, most);
@@ -60,7 +57,7 @@ void Foam::fsbi::solidMeasures::setDeformation
     elastic = 0;
     forAll(volumes, celli)
     {
-        const labelList& points = mesh.cellPoints()[celli];
+        const labelList& points = solid.stencil().vertices().ofCells()[celli];
         scalar mean = 0;
         for (const label v : points)
         {
@@ -69,7 +66,7 @@ void Foam::fsbi::solidMeasures::setDeformation
         if (centres)
         {
             const tensor& atCentre = centres->deformation()[celli];
-            mean += 0.8*(material.energy(atCentre) - mean);
+            mean += 0.8*(solid.parts().law(celli).energy(atCentre) - mean);
         }
         elastic += volumes[celli]*mean;
     }

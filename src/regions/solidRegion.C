@@ -9,7 +9,11 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Foam::scalar Foam::fsbi::solidRegion::fastestFrequency() const
 {
-    const scalar modulus = material_->lambda() + 2*material_->mu();
+    scalar modulus = 0;
+    for (const solidMaterial* law : elastic_->parts().laws)
+    {
+        modulus = max(modulus, law->lambda() + 2*law->mu());
+    }
     const scalar speed =
         Foam::sqrt(modulus/max(material_->density(), VSMALL));
     return 2*speed/Foam::cbrt(gMin(volumes_));
@@ -236,20 +240,37 @@ void Foam::fsbi::solidRegion::setFields()
 void Foam::fsbi::solidRegion::setMeasures()
 {
     const vectorField u(fields_->D());
-    measures_.setDeformation(mesh(), volumes_, material_(), elastic_());
+    measures_.setDeformation(volumes_, elastic_());
     measures_.setMotion
     (
         volumes_, material_->density(), centres_ + u, motion_->velocity(u)
     );
-    warning_ = material_->warning(measures_.minJ, measures_.minStretch);
+    warning_ = warningOf(measures_);
+}
+
+
+Foam::string Foam::fsbi::solidRegion::warningOf
+(
+    const solidMeasures& measures
+) const
+{
+    for (const solidMaterial* law : elastic_->parts().laws)
+    {
+        const string text(law->warning(measures.minJ, measures.minStretch));
+        if (text.size())
+        {
+            return text;
+        }
+    }
+    return "";
 }
 
 
 Foam::string Foam::fsbi::solidRegion::failureWarning()
 {
     solidMeasures now;
-    now.setDeformation(mesh(), volumes_, material_(), elastic_());
-    const string text(material_->warning(now.minJ, now.minStretch));
+    now.setDeformation(volumes_, elastic_());
+    const string text(warningOf(now));
     return
         text.empty()
       ? string()

@@ -42,7 +42,7 @@ Foam::fsbi::solidRegion::solidRegion
             )
         )
     ),
-    material_(solidMaterial::New(materialEntries_, {"cortex"})),
+    material_(solidMaterial::New(materialEntries_, {"cortex", "parts"})),
     inFluid_(site.inFluid),
     tethered_(Zero),
     fluidForce_(Zero),
@@ -105,6 +105,7 @@ void Foam::fsbi::solidRegion::create(const bool saved)
     volumes_ = mesh().cellVolumes();
     centres_ = mesh().cellCentres();
     fields_.reset(new solidFields(mesh(), saved, inFluid_));
+    const materialParts parts(readParts());
     conditions_.reset
     (
         new solidConditions(mesh_(), fields_->D(), reference_)
@@ -134,13 +135,12 @@ void Foam::fsbi::solidRegion::create(const bool saved)
     }
     const bool mixed = checkedDictionary(controls()).getOrDefault
     (
-        "mixed", order_ == 2 && material_->nu() >= 0.45
+        "mixed", order_ == 2 && mostIncompressible() >= 0.45
     );
     checkLiquid(mixed);
     elastic_ = elasticOperator::New
     (
-        order_, mesh(), material_(), conditions_->given().kinds, formulation_,
-        mixed
+        order_, mesh(), parts, conditions_->given().kinds, formulation_, mixed
     );
     setCortex();
     volumes_ += elastic_->volumesOnFacets();
@@ -371,6 +371,10 @@ void Foam::fsbi::solidRegion::setUnknowns()
             *u++ = D[mesh().faceOwner()[mesh().nInternalFaces() + i]];
         }
     }
+    elastic_->followCells
+    (
+        scalarList(x_.size(), Zero).cdata(), D.primitiveField(), x_.begin()
+    );
     if (body_.deformed())
     {
         elastic_->set

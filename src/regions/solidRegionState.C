@@ -27,7 +27,7 @@ void Foam::fsbi::solidRegion::visitState(const Visitor& visit)
     {
         visit("jumpHistory", elastic_->jumpHistory());
     }
-    if (material_->viscosity() > 0 || material_->flows())
+    if (viscous() || material_->flows())
     {
         visit("oldF", elastic_->state().oldF());
     }

@@ -19,7 +19,7 @@ Foam::fsbi::elasticBlock::elasticBlock
     stencil_(elastic_.stencil()),
     stokes_(stokes),
     firstRow_(firstRow),
-    pressure_(elastic_.state().mixed() ? stencil_.mesh().nPoints() : 0, Zero)
+    pressure_(elastic_.state().mixed() ? stencil_.vertices().size() : 0, Zero)
 {}
 
 
@@ -207,6 +207,8 @@ void Foam::fsbi::elasticBlock::begin
     const label nCells = stencil_.nCells();
     const vector* row = asVectors(r);
     std::copy_n(row, nCells, rhs.begin() + firstRow_);
+    SubList<vector> cells(rhs, nCells, firstRow_);
+    elastic_.shareJoints(r, cells);
 
     // what ghosts leave to the surface, or to cells where it is held
     vectorField force(stencil_.nGhosts(), Zero);
@@ -294,6 +296,7 @@ void Foam::fsbi::elasticBlock::end
     }
     std::copy_n(row + nCells, stencil_.nGhosts(), u + nCells);
     elastic_.boundary().followCells(u);
+    elastic_.followCells(r, UList<vector>(u, nCells), z);
 
     vectorField pulled(push_.size(), Zero);
     forAll(body_.fluid.faces, i)

@@ -26,7 +26,7 @@ Foam::fsbi::elasticNewton::elasticNewton
 )
 :
     elastic_(elastic),
-    preconditioner_(mesh, elastic, material),
+    preconditioner_(mesh, elastic),
     residual_(mesh, elastic, material),
     tolerance_(entries.tolerance("tolerance", 1e-8)),
     maxIterations_(entries.count("maxIterations", 40)),

@@ -10,15 +10,14 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Foam::fsbi::elasticPreconditioner::elasticPreconditioner
 (
     const fvMesh& mesh,
-    const elasticOperator& elastic,
-    const solidMaterial& material
+    const elasticOperator& elastic
 )
 :
     mesh_(mesh),
     elastic_(elastic),
     stencil_(elastic.stencil()),
-    vertices_(mesh, elastic, material),
-    pressure_(elastic.state().mixed() ? mesh.nPoints() : 0, Zero),
+    vertices_(mesh, elastic),
+    pressure_(elastic.state().mixed() ? elastic.stencil().vertices().size() : 0, Zero),
     rhs_(mesh.nCells(), Zero),
     z_(mesh.nCells() + stencil_.nGhosts(), Zero)
 {}
@@ -162,6 +161,7 @@ void Foam::fsbi::elasticPreconditioner::apply
     (
         asVectors(r), mesh_.nCells(), rhs_.begin()
     );
+    elastic_.shareJoints(r, rhs_);
     addGhosts(r);
     addPressures(r, z);
     sweep(rhs_, z_);
@@ -172,6 +172,15 @@ void Foam::fsbi::elasticPreconditioner::apply
         z_.begin() + nCells
     );
     elastic_.boundary().followCells(z_.begin());
-    vertices_.addCorrection(rhs_, z_);
+    elastic_.followCells(r, z_, z);
+    vertices_.addCorrection
+    (
+        rhs_, z_,
+        UList<vector>
+        (
+            asVectors(z + elastic_.firstJointRow()),
+            stencil_.joints().owned().size()
+        )
+    );
     std::copy_n(z_.begin()->v_, 3*z_.size(), z);
 }

@@ -66,13 +66,11 @@ static label nLevels(const UList<DynamicList<label>>& beside)
 Foam::fsbi::vertexElasticity::vertexElasticity
 (
     const fvMesh& mesh,
-    const elasticOperator& elastic,
-    const solidMaterial& material
+    const elasticOperator& elastic
 )
 :
     mesh_(mesh),
     elastic_(elastic),
-    material_(material),
     vertices_(mesh.nPoints(), Zero)
 {
     setNumbers();
@@ -244,17 +242,15 @@ void Foam::fsbi::vertexElasticity::setGhostWeights()
 
 Foam::tensor Foam::fsbi::vertexElasticity::tangent
 (
-    const tensor& F, const tensor& dF
+    const solidMaterial& law, const tensor& F, const tensor& dF
 ) const
 {
     if (!elastic_.state().mixed())
     {
-        return material_.tangent(F, dF);
+        return law.tangent(F, dF);
     }
-    const tensor Q(material_.thetaGradient(F));
-    return
-        material_.shearTangent(F, dF)
-      + mixedLambda*material_.mu()*(Q && dF)*Q;
+    const tensor Q(law.thetaGradient(F));
+    return law.shearTangent(F, dF) + mixedLambda*law.mu()*(Q && dF)*Q;
 }
 
 
@@ -280,7 +276,7 @@ Foam::scalarSquareMatrix Foam::fsbi::vertexElasticity::penalty
         }
     }
     return
-        material_.mu()*cbrt(mesh_.cellVolumes()[celli])
+        elastic_.parts().law(celli).mu()*cbrt(mesh_.cellVolumes()[celli])
        *scalarSquareMatrix(rest.T()*rest);
 }
 
@@ -293,12 +289,15 @@ void Foam::fsbi::vertexElasticity::addCell(const label celli)
     const vectorField B(gradientVectors(celli));
     const scalarSquareMatrix extra(penalty(celli, B));
 
-    tensor F(Zero);
+    const tensor F
+    (
+        elastic_.stencil().cellMean(celli, elastic_.state().deformation())
+    );
+    const solidMaterial& law = elastic_.parts().law(celli);
     rows_.setSize(n);
     entries_.setSize(9*n*n);
     forAll(points, i)
     {
-        F += elastic_.state().deformation()[points[i]]/n;
         rows_[i] = global_[points[i]];
     }
     for (label j = 0; j < n; ++j)
@@ -309,7 +308,7 @@ void Foam::fsbi::vertexElasticity::addCell(const label celli)
             dF(l, 0) = B[j].x();
             dF(l, 1) = B[j].y();
             dF(l, 2) = B[j].z();
-            const tensor dP(V*tangent(F, dF));
+            const tensor dP(V*tangent(law, F, dF));
             for (label i = 0; i < n; ++i)
             {
                 const vector force(dP & B[i]);
@@ -397,7 +396,7 @@ void Foam::fsbi::vertexElasticity::rebuild(const scalarField& mass)
 
 void Foam::fsbi::vertexElasticity::addCorrection
 (
-    const vectorField& f, vectorField& u
+    const vectorField& f, vectorField& u, UList<vector> joints
 ) const
 {
     const label nHalo = elastic_.stencil().halo().size();
@@ -450,6 +449,15 @@ void Foam::fsbi::vertexElasticity::addCorrection
         forAll(points, i)
         {
             u[f.size() + g] += ghostWeights_[g][i]*vertices_[points[i]];
+        }
+    }
+    forAll(joints, i)
+    {
+        const label j = stencil.joints().owned()[i];
+        const face& f = mesh_.faces()[stencil.joints().faces()[j]];
+        for (const label v : f)
+        {
+            joints[i] += vertices_[v]/f.size();
         }
     }
 }

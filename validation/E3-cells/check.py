@@ -24,6 +24,9 @@ def theory():
     # bound: differences of the energy with steps h of 0.01, by h^2, with factors of some tens
     results.add("rubber_small_deformation", deformation("neoHookeanMembrane", 1), 25 / 12, 1e-2)
     results.add("solid_small_deformation", deformation(solid=(1, 0.4999999)), 1.25, 1e-4)
+    # bound: differences as above; a core of the same material is none
+    results.add("core_of_the_same_small_deformation",
+                deformation(solid=(1, 0.49), core=(0.6, 1, 0.49)), deformation(solid=(1, 0.49)), 1e-9)
     tension = 1000
     for ratio in (1, 5):
         taylor = (19 * ratio + 16) / (16 * ratio + 16) / tension
@@ -108,6 +111,8 @@ def main():
     in_shear("cortex", PULL * deformation("Skalak", 1e-3, 3e-3, solid=(2e-3, 0.49)))
     for ratio in (1, 5):
         in_shear(f"capsule{ratio}", *capsule(ratio, "Skalak", 50, 150, 2.5))
+    # bound: the mesh's of another surface, too
+    in_shear("nucleus", PULL * deformation(solid=(2e-3, 0.49), core=(0.6, 2e-2, 0.49)), more=MESH)
     # the modulus over viscosity, rate and radius^3: 5. bound: curvatures of a displacement of
     # order 2, by (2.4 h/a)^2/12, and bending is half of the stiffness
     in_shear("bent", *capsule(1, "Skalak", 50, 150, 2.5, 5), more=0.24 * EDGE**2)
@@ -119,6 +124,12 @@ def main():
     # bound: other processes, other coordinates and sums, solved to 1e-6
     for name in ("parallel", "spread"):
         results.add(f"{name}_difference_abs", np.abs(shape(name) / whole - 1).max(), 0, 1e-5)
+    # bound: as above
+    whole = shape("wholeNucleus")
+    results.add("continued_difference_abs", np.abs(shape("continuedNucleus") - whole).max(), 0, 0,
+                variant="nucleus")
+    results.add("parallel_difference_abs", np.abs(shape("parallelNucleus") / whole - 1).max(), 0,
+                1e-5, variant="nucleus")
     results.write()
 
 

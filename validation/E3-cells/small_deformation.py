@@ -96,25 +96,42 @@ def works():
                                  [np.sum(WEIGHT * q * q), np.sum(WEIGHT * q * q)]])
 
 
-def solid_stiffness(G, nu):
-    """Tractions (of E.n, of (n.E.n) n) for displacements (P, Q) of an elastic sphere."""
+def on_sphere(kind, G, nu, radius):
+    """Of a solution of Navier's equation, displacement and traction on a sphere, each of E.n
+    and of (n.E.n) n. Of the four the first two are finite in the middle."""
     lam = 2 * G * nu / (1 - 2 * nu)
-    # a r^2 E.x + b x (x.E.x) solves (lam + G) grad div u + G laplace u = 0
-    a, b = 1, -(4 * (lam + G) + 10 * G) / (10 * (lam + G) + 4 * G)
-    divergence = 2 * a + 5 * b
-    shapes = np.array([[1, a], [0, b]])
-    tractions = np.array([[2 * G, 2 * G * a + 2 * G * (a + b)],
-                          [0, lam * divergence + 2 * G * b + 2 * G * (a + b)]])
-    return tractions @ np.linalg.inv(shapes)
+    # f r^m E.x + g r^n x (x.E.x) with (lam + G) grad div u + G laplace u = 0
+    f, g, m, n = [
+        (1, 0, 0, 0), (1, -(4 * (lam + G) + 10 * G) / (10 * (lam + G) + 4 * G), 2, 0),
+        (2, -5, -5, -7), (1, 1.5 * (lam + G) / G, -3, -5)][kind]
+    f, g = f * radius**m, g * radius**(n + 2)
+    divergence = m * f + (n + 5) * g
+    return np.array([radius * f, radius * g, G * ((m + 2) * f + 2 * g),
+                     lam * divergence + G * (m * f + (2 * n + 4) * g)])
 
 
-def deformation(law=None, shear=0, area=0, tension=0, solid=None):
+def solid_stiffness(G, nu, core=None):
+    """Tractions (of E.n, of (n.E.n) n) for displacements (P, Q) of an elastic sphere; core:
+    radius, shear modulus and Poisson's ratio of another one bonded to it inside."""
+    if core is None:
+        values = np.column_stack([on_sphere(kind, G, nu, 1) for kind in (0, 1)])
+        return values[2:] @ np.linalg.inv(values[:2])
+    radius, other, its_nu = core
+    inside = [on_sphere(kind, other, its_nu, radius) for kind in (0, 1)]
+    around = [-on_sphere(kind, G, nu, radius) for kind in range(4)]
+    # what of the four around it goes with each of the two inside
+    joined = np.linalg.solve(np.column_stack(around), -np.column_stack(inside))
+    values = np.column_stack([on_sphere(kind, G, nu, 1) for kind in range(4)]) @ joined
+    return values[2:] @ np.linalg.inv(values[:2])
+
+
+def deformation(law=None, shear=0, area=0, tension=0, solid=None, core=None):
     """Taylor's parameter over viscosity times rate of shear; moduli over the radius; solid:
-    shear modulus and Poisson's ratio of the inside, None: a liquid."""
+    shear modulus and Poisson's ratio of the inside, None: a liquid; core: see there."""
     W = energy_per_area(law, shear, area, tension)
     # a liquid: the limit of a soft, incompressible solid
     G, nu = solid or (1e-8 * max(shear, tension), 0.4999999)
-    stiffness = surface_stiffness(W, 2 * tension) + works() @ solid_stiffness(G, nu)
+    stiffness = surface_stiffness(W, 2 * tension) + works() @ solid_stiffness(G, nu, core)
     P, Q = np.linalg.solve(stiffness, works() @ np.array([5, 0]))
     return (P + Q) / 2
 

@@ -262,6 +262,13 @@ bool Foam::fsbi::savedRegion::hasPressures(const fileName& file) const
         size += n;
         displacements += source_->parts[p].unknownPlaces.size();
     }
+    if (size != displacements && size != displacements + source_->whole.points.size())
+    {
+        FatalErrorInFunction
+            << "Body '" << name_ << "' has parts of other materials, whose"
+            << " state cannot be distributed: continue on as many processors as"
+            << " it was saved on" << exit(FatalError);
+    }
     return size != displacements;
 }
 

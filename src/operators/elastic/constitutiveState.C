@@ -89,8 +89,12 @@ void Foam::fsbi::constitutiveState::setStep
     {
         return;
     }
-    const scalar least =
-        material_.viscosity()/(mostViscous*material_.mu());
+    scalar slowest = material_.viscosity()/material_.mu();
+    for (const solidMaterial* law : laws_)
+    {
+        slowest = max(slowest, law->viscosity()/law->mu());
+    }
+    const scalar least = slowest/mostViscous;
     if (deltaT < least)
     {
         FatalErrorInFunction
@@ -120,16 +124,16 @@ Foam::tensor Foam::fsbi::constitutiveState::lawStress(const strained& s) const
     tensor P
     (
         mixed_
-      ? material_.shearStress(s.F) - s.p*material_.thetaGradient(s.F)
-      : material_.stress(s.F)
+      ? s.law.shearStress(s.F) - s.p*s.law.thetaGradient(s.F)
+      : s.law.stress(s.F)
     );
-    if (material_.viscosity() > 0)
+    if (s.law.viscosity() > 0)
     {
-        P += material_.viscousStress(s.F, rate(s.F - s.oldF));
+        P += s.law.viscousStress(s.F, rate(s.F - s.oldF));
     }
-    if (material_.flows())
+    if (s.law.flows())
     {
-        P += material_.flowStress(s.F, rate(s));
+        P += s.law.flowStress(s.F, rate(s));
     }
     return P;
 }
@@ -143,21 +147,21 @@ Foam::tensor Foam::fsbi::constitutiveState::lawTangent
     tensor dP
     (
         mixed_
-      ? material_.shearTangent(s.F, dF)
-      - s.p*material_.thetaTangent(s.F, dF)
-      - dp*material_.thetaGradient(s.F)
-      : material_.tangent(s.F, dF)
+      ? s.law.shearTangent(s.F, dF)
+      - s.p*s.law.thetaTangent(s.F, dF)
+      - dp*s.law.thetaGradient(s.F)
+      : s.law.tangent(s.F, dF)
     );
-    if (material_.viscosity() > 0)
+    if (s.law.viscosity() > 0)
     {
-        dP += material_.viscousTangent
+        dP += s.law.viscousTangent
         (
             s.F, rate(s.F - s.oldF), dF, rate(dF)
         );
     }
-    if (material_.flows())
+    if (s.law.flows())
     {
-        dP += material_.flowTangent
+        dP += s.law.flowTangent
         (
             s.F, rate(s), dF, twoSymm(rate_[0]*(s.F.T() & dF))
         );
@@ -171,7 +175,7 @@ Foam::fsbi::constitutiveState::strained Foam::fsbi::constitutiveState::total
     const label v
 ) const
 {
-    strained s{F_[v], oldF_[v], mixed_ ? pressure_[v] : 0, Zero};
+    strained s{F_[v], oldF_[v], mixed_ ? pressure_[v] : 0, law(v), Zero};
     if (material_.flows())
     {
         s.knownRate =
@@ -192,9 +196,9 @@ Foam::fsbi::constitutiveState::strained Foam::fsbi::constitutiveState::step
     {
         tensor::I + gradient_[v], tensor::I,
         mixed_
-      ? pressure_[v] + material_.lambda()*material_.theta(referenceF_[v])
+      ? pressure_[v] + law(v).lambda()*law(v).theta(referenceF_[v])
       : 0,
-        Zero
+        law(v), Zero
     };
 }
 
@@ -205,15 +209,15 @@ Foam::tensor Foam::fsbi::constitutiveState::linearStress(const label v) const
     const strained s(total(v));
     const tensor P(lawTangent(s, gradient_[v], s.p));
     return
-        material_.viscosity() > 0
-      ? P - material_.viscousStress(s.F, rate(s.oldF - tensor::I))
+        s.law.viscosity() > 0
+      ? P - s.law.viscousStress(s.F, rate(s.oldF - tensor::I))
       : P;
 }
 
 
 Foam::tensor Foam::fsbi::constitutiveState::referenceStress(const label v) const
 {
-    return inv(referenceF_[v]) & material_.stress(referenceF_[v]);
+    return inv(referenceF_[v]) & law(v).stress(referenceF_[v]);
 }
 
 
@@ -279,8 +283,8 @@ Foam::tensor Foam::fsbi::constitutiveState::stressOfPressure
 {
     return
         formulation_ == formulation::slowProcess
-      ? material_.thetaGradient(tensor::I + gradient_[v])
-      : pushForward(v, material_.thetaGradient(F_[v]));
+      ? law(v).thetaGradient(tensor::I + gradient_[v])
+      : pushForward(v, law(v).thetaGradient(F_[v]));
 }
 
 
@@ -288,12 +292,12 @@ Foam::scalar Foam::fsbi::constitutiveState::volumeChange(const label v) const
 {
     if (formulation_ == formulation::slowProcess)
     {
-        return material_.theta(referenceF_[v]) + material_.theta(step(v).F);
+        return law(v).theta(referenceF_[v]) + law(v).theta(step(v).F);
     }
     return
-        material_.linear()
-      ? material_.thetaGradient(F_[v]) && gradient_[v]
-      : material_.theta(F_[v]);
+        law(v).linear()
+      ? law(v).thetaGradient(F_[v]) && gradient_[v]
+      : law(v).theta(F_[v]);
 }
 
 
@@ -304,8 +308,8 @@ Foam::scalar Foam::fsbi::constitutiveState::volumeTangent
 {
     return
         formulation_ == formulation::slowProcess
-      ? material_.thetaGradient(step(v).F) && dH
-      : material_.thetaGradient(F_[v]) && (dH & referenceF_[v]);
+      ? law(v).thetaGradient(step(v).F) && dH
+      : law(v).thetaGradient(F_[v]) && (dH & referenceF_[v]);
 }
 
 
@@ -315,7 +319,7 @@ void Foam::fsbi::constitutiveState::evaluate()
     forAll(F_, v)
     {
         F_[v] = (tensor::I + gradient_[v]) & referenceF_[v];
-        if (!material_.defined(F_[v]))
+        if (!law(v).defined(F_[v]))
         {
             // so that the law can be asked; nobody uses the answer
             valid_ = false;
@@ -334,7 +338,7 @@ Foam::fsbi::constitutiveState::CauchyStress() const
     forAll(result(), v)
     {
         result.ref()[v] =
-            material_.Cauchy(stress_[v], tensor::I + gradient_[v]);
+            law(v).Cauchy(stress_[v], tensor::I + gradient_[v]);
     }
     return result;
 }
@@ -352,9 +356,10 @@ Foam::scalar Foam::fsbi::constitutiveState::normalStiffness() const
 }
 
 
-Foam::scalar Foam::fsbi::constitutiveState::compliance() const
+Foam::scalar Foam::fsbi::constitutiveState::compliance(const label v) const
 {
-    return 1/material_.lambda() + 1/(2*shearModulus());
+    const scalar shear = material_.flows() ? shearModulus() : law(v).mu();
+    return 1/law(v).lambda() + 1/(2*shear);
 }
 
 

@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fourthOrderElastic.H"
+#include "asVectors.H"
 #include "secondOrderElastic.H"
 #include "sharedVertices.H"
 #include "syncTools.H"
@@ -11,22 +12,39 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Foam::fsbi::elasticOperator::elasticOperator
 (
     const fvMesh& mesh,
-    const solidMaterial& material,
+    const materialParts& parts,
     const List<solidBoundary::kind>& kinds,
     const constitutiveState::formulation form,
     const bool mixed
 )
 :
     mesh_(mesh),
-    material_(material),
+    parts_(parts),
+    material_(*parts_.laws[0]),
     mixed_(mixed),
-    stencil_(mesh, kinds),
-    state_(mesh.name(), mesh.nPoints(), material, form, mixed),
+    stencil_(mesh, kinds, parts_.ofCells, parts_.stiffness()),
+    state_(mesh.name(), stencil_.vertices().size(), material_, form, mixed),
     boundary_(stencil_, state_, kinds),
     jumpHistory_(stencil_.nFaces(), Zero),
     boundaryForce_(stencil_.nGhosts(), Zero)
 {
+    setLaws();
     setOwnedVertices();
+}
+
+
+void Foam::fsbi::elasticOperator::setLaws()
+{
+    if (!stencil_.vertices().several())
+    {
+        return;
+    }
+    List<const solidMaterial*> laws(stencil_.vertices().size());
+    forAll(laws, v)
+    {
+        laws[v] = parts_.laws[stencil_.vertices().part(v)];
+    }
+    state_.setLaws(std::move(laws));
 }
 
 
@@ -34,7 +52,7 @@ Foam::autoPtr<Foam::fsbi::elasticOperator> Foam::fsbi::elasticOperator::New
 (
     const label order,
     const fvMesh& mesh,
-    const solidMaterial& material,
+    const materialParts& parts,
     const List<solidBoundary::kind>& kinds,
     const constitutiveState::formulation form,
     const bool mixed
@@ -44,12 +62,12 @@ Foam::autoPtr<Foam::fsbi::elasticOperator> Foam::fsbi::elasticOperator::New
     {
         return autoPtr<elasticOperator>
         (
-            new fourthOrderElastic(mesh, material, kinds, form, mixed)
+            new fourthOrderElastic(mesh, parts.law(0), kinds, form, mixed)
         );
     }
     return autoPtr<elasticOperator>
     (
-        new secondOrderElastic(mesh, material, kinds, form, mixed)
+        new secondOrderElastic(mesh, parts, kinds, form, mixed)
     );
 }
 
@@ -61,7 +79,15 @@ void Foam::fsbi::elasticOperator::setOwnedVertices()
         return;
     }
     const bitSet master(syncTools::getMasterPoints(mesh_));
-    ownedVertices_ = master.toc();
+    DynamicList<label> owned;
+    for (label v = 0; v < stencil_.vertices().size(); ++v)
+    {
+        if (master[stencil_.vertices().point(v)])
+        {
+            owned.append(v);
+        }
+    }
+    ownedVertices_.transfer(owned);
 }
 
 
@@ -114,7 +140,62 @@ Foam::scalarList Foam::fsbi::elasticOperator::rowScale
         const scalar V = stencil_.vertexVolume()[ownedVertices_[i]];
         scale[firstPressure + i] = cbrt(V)/V;
     }
+    const partJoints& joints = stencil_.joints();
+    forAll(joints.owned(), i)
+    {
+        std::fill_n
+        (
+            scale.begin() + firstJointRow() + 3*i, 3,
+            1/(state_.stiffness()*joints.joined()[joints.owned()[i]])
+        );
+    }
     return scale;
+}
+
+
+void Foam::fsbi::elasticOperator::shareJoints
+(
+    const scalar* r, UList<vector>& cells
+) const
+{
+    const partJoints& joints = stencil_.joints();
+    vectorField force;
+    joints.scatter
+    (
+        UList<vector>
+        (
+            const_cast<vector*>(asVectors(r + firstJointRow())),
+            joints.owned().size()
+        ),
+        force
+    );
+    for (const partJoints::half& h : joints.halves())
+    {
+        cells[h.cell] += h.share*force[h.joint];
+    }
+}
+
+
+void Foam::fsbi::elasticOperator::followCells
+(
+    const scalar* r, const UList<vector>& cells, scalar* u
+) const
+{
+    const partJoints& joints = stencil_.joints();
+    vectorField parts(joints.size(), Zero);
+    for (const partJoints::half& h : joints.halves())
+    {
+        parts[h.joint] += h.share*cells[h.cell];
+    }
+    UList<vector> at(asVectors(u + firstJointRow()), joints.owned().size());
+    joints.sum(parts, at);
+    const vector* force = asVectors(r + firstJointRow());
+    forAll(at, i)
+    {
+        at[i] +=
+            force[i]
+           /(state_.stiffness()*joints.joined()[joints.owned()[i]]);
+    }
 }
 
 

@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "elasticStencil.H"
-#include "sharedVertices.H"
+#include "syncTools.H"
 
 namespace Foam
 {
@@ -25,11 +25,15 @@ static const int nMoments = 10;
 Foam::fsbi::elasticStencil::elasticStencil
 (
     const fvMesh& mesh,
-    const UList<solidBoundary::kind>& kinds
+    const UList<solidBoundary::kind>& kinds,
+    const labelUList& parts,
+    const scalarUList& stiffness
 )
 :
     mesh_(mesh),
     halo_(mesh),
+    vertices_(mesh, halo_.size(), parts),
+    stiffness_(stiffness),
     ghostOf_(kinds.size(), -1)
 {
     DynamicList<label> ghosts;
@@ -50,13 +54,26 @@ Foam::fsbi::elasticStencil::elasticStencil
 
 void Foam::fsbi::elasticStencil::addFace
 (
-    const label facei, const label neighbour
+    const label facei, const label neighbour, const label neighbourPart,
+    DynamicList<label>& between
 )
 {
+    const label part = vertices_.ofCell(mesh_.faceOwner()[facei]);
+    if (part != neighbourPart)
+    {
+        between.append(face_.size());
+    }
     face_.append(facei);
     owner_.append(mesh_.faceOwner()[facei]);
     neighbour_.append(neighbour);
-    faceVertex_.append(mesh_.faces()[facei]);
+    for (const label v : mesh_.faces()[facei])
+    {
+        faceVertex_.append(vertices_.of(part, v));
+    }
+    for (label i = 0; part != neighbourPart && i < mesh_.faces()[facei].size(); ++i)
+    {
+        faceVertex_.append(vertices_.of(neighbourPart, mesh_.faces()[facei][i]));
+    }
     faceStart_.append(faceVertex_.size());
 }
 
@@ -64,10 +81,19 @@ void Foam::fsbi::elasticStencil::addFace
 void Foam::fsbi::elasticStencil::setFaces()
 {
     const label nInternal = mesh_.nInternalFaces();
+    labelList parts(mesh_.nFaces() - nInternal);
+    forAll(parts, i)
+    {
+        parts[i] = vertices_.ofCell(mesh_.faceOwner()[nInternal + i]);
+    }
+    labelList beyond(parts);
+    syncTools::swapBoundaryFaceList(mesh_, beyond);
+    DynamicList<label> between;
     faceStart_.append(0);
     for (label facei = 0; facei < nInternal; ++facei)
     {
-        addFace(facei, mesh_.faceNeighbour()[facei]);
+        const label N = mesh_.faceNeighbour()[facei];
+        addFace(facei, N, vertices_.ofCell(N), between);
     }
     label halo = mesh_.nCells();
     for (const label patchi : halo_.patches())
@@ -75,28 +101,59 @@ void Foam::fsbi::elasticStencil::setFaces()
         const polyPatch& pp = mesh_.boundaryMesh()[patchi];
         forAll(pp, i)
         {
-            addFace(pp.start() + i, halo++);
+            const label facei = pp.start() + i;
+            addFace(facei, halo++, beyond[facei - nInternal], between);
         }
     }
     forAll(ghostFaces_, g)
     {
-        addFace(nInternal + ghostFaces_[g], firstGhost() + g);
+        const label b = ghostFaces_[g];
+        addFace(nInternal + b, firstGhost() + g, parts[b], between);
     }
+    setJoints(between);
+}
+
+
+void Foam::fsbi::elasticStencil::setJoints(const labelUList& faces)
+{
+    if (vertices_.several())
+    {
+        jointOf_ = labelList(nFaces(), -1);
+    }
+    labelList inMesh(faces.size());
+    forAll(faces, j)
+    {
+        jointOf_[faces[j]] = j;
+        inMesh[j] = face_[faces[j]];
+    }
+    joints_.reset(new partJoints(mesh_, vertices_, stiffness_, inMesh));
+    ownerShare_ = scalarField(faces.size(), Zero);
 }
 
 
 void Foam::fsbi::elasticStencil::setColumns()
 {
-    List<DynamicList<label>> columns(mesh_.nPoints());
-    forAll(columns, v)
+    List<DynamicList<label>> columns(vertices_.size());
+    forAll(mesh_.pointCells(), v)
     {
-        columns[v] = mesh_.pointCells()[v];
+        for (const label celli : mesh_.pointCells()[v])
+        {
+            columns[vertices_.of(vertices_.ofCell(celli), v)].append(celli);
+        }
     }
     forAll(ghostFaces_, g)
     {
         for (const label v : mesh_.faces()[face_[firstBoundary() + g]])
         {
-            columns[v].append(firstGhost() + g);
+            const label part = vertices_.ofCell(owner_[firstBoundary() + g]);
+            columns[vertices_.of(part, v)].append(firstGhost() + g);
+        }
+    }
+    forAll(joints_->halves(), i)
+    {
+        for (const label v : joints_->halves()[i].vertices)
+        {
+            columns[v].append(firstHalf() + i);
         }
     }
     vertexStart_.setSize(columns.size() + 1);
@@ -127,6 +184,11 @@ Foam::vectorField Foam::fsbi::elasticStencil::centres() const
     for (label i = mesh_.nInternalFaces(); i < nFaces(); ++i)
     {
         result[neighbour_[i]] = result[owner_[i]] + delta_[i];
+    }
+    forAll(joints_->halves(), i)
+    {
+        const partJoints::half& h = joints_->halves()[i];
+        result[firstHalf() + i] = result[h.cell] + 2*h.delta;
     }
     return result;
 }
@@ -166,8 +228,42 @@ void Foam::fsbi::elasticStencil::update()
         }
         compact_[i] = magSqr(area_[i])/(area_[i] & delta_[i]);
     }
+    if (vertices_.several())
+    {
+        updateJoints();
+    }
     setVolumes();
     setWeights();
+}
+
+
+void Foam::fsbi::elasticStencil::updateJoints()
+{
+    joints_->update();
+    forAll(compact_, i)
+    {
+        if (!between(i))
+        {
+            compact_[i] *= stiffness_[vertices_.ofCell(owner_[i])];
+        }
+    }
+    scalarField series(joints_->joined());
+    for (const partJoints::half& h : joints_->halves())
+    {
+        const label facei = joints_->faces()[h.joint];
+        if (mesh_.faceOwner()[facei] == h.cell)
+        {
+            ownerShare_[h.joint] = 1 - h.share;
+            series[h.joint] *= h.share*(1 - h.share);
+        }
+    }
+    forAll(compact_, i)
+    {
+        if (between(i))
+        {
+            compact_[i] = series[jointOf_[i]];
+        }
+    }
 }
 
 
@@ -177,13 +273,13 @@ Foam::scalarField Foam::fsbi::elasticStencil::moments
 ) const
 {
     const pointField& x = mesh_.points();
-    scalarField result(nMoments*x.size(), Zero);
-    forAll(x, v)
+    scalarField result(nMoments*vertices_.size(), Zero);
+    for (label v = 0; v < vertices_.size(); ++v)
     {
         scalar* m = result.begin() + nMoments*v;
         for (label j = vertexStart_[v]; j < vertexStart_[v + 1]; ++j)
         {
-            const vector d(C[vertexColumn_[j]] - x[v]);
+            const vector d(C[vertexColumn_[j]] - x[vertices_.point(v)]);
             const scalar w = 1/magSqr(d);
             const symmTensor second(w*sqr(d));
             m[0] += w;
@@ -197,24 +293,24 @@ Foam::scalarField Foam::fsbi::elasticStencil::moments
             }
         }
     }
-    sharedVertices::sum<nMoments>(mesh_, result.begin(), halo_.size());
+    vertices_.sum<nMoments>(result.begin());
     return result;
 }
 
 
 void Foam::fsbi::elasticStencil::setVolumes()
 {
-    vertexVolume_.setSize(mesh_.nPoints());
+    vertexVolume_.setSize(vertices_.size());
     vertexVolume_ = Zero;
     forAll(mesh_.cells(), celli)
     {
-        const labelList& points = mesh_.cellPoints()[celli];
+        const labelList& points = vertices_.ofCells()[celli];
         for (const label v : points)
         {
             vertexVolume_[v] += mesh_.cellVolumes()[celli]/points.size();
         }
     }
-    sharedVertices::sum<1>(mesh_, vertexVolume_.begin(), halo_.size());
+    vertices_.sum<1>(vertexVolume_.begin());
 }
 
 
@@ -225,7 +321,7 @@ void Foam::fsbi::elasticStencil::setWeights()
     const scalarField sums(moments(C));
     valueWeight_.setSize(vertexColumn_.size());
     gradientWeight_.setSize(vertexColumn_.size());
-    forAll(x, v)
+    for (label v = 0; v < vertices_.size(); ++v)
     {
         const scalar* m = sums.begin() + nMoments*v;
         const vector mean(vector(m[1], m[2], m[3])/m[0]);
@@ -236,7 +332,8 @@ void Foam::fsbi::elasticStencil::setWeights()
         if (det(covariance) < planeBelow*pow3(tr(covariance)))
         {
             FatalErrorInFunction
-                << "The cells around the point " << x[v] << " of region "
+                << "The cells around the point " << x[vertices_.point(v)]
+                << " of region "
                 << mesh_.name() << " lie in a plane: the gradient there is not"
                 << " determined. Refine the mesh there: a body needs two cells"
                 << " in every direction" << exit(FatalError);
@@ -244,7 +341,7 @@ void Foam::fsbi::elasticStencil::setWeights()
         const symmTensor inverse(inv(covariance));
         for (label j = vertexStart_[v]; j < vertexStart_[v + 1]; ++j)
         {
-            const vector d(C[vertexColumn_[j]] - x[v]);
+            const vector d(C[vertexColumn_[j]] - x[vertices_.point(v)]);
             const scalar w = 1/(magSqr(d)*m[0]);
             gradientWeight_[j] = w*(inverse & (d - mean));
             valueWeight_[j] = w - (gradientWeight_[j] & mean);
@@ -258,7 +355,7 @@ Foam::tensor Foam::fsbi::elasticStencil::cellMean
     const label celli, const tensorField& vertices
 ) const
 {
-    const labelList& points = mesh_.cellPoints()[celli];
+    const labelList& points = vertices_.ofCells()[celli];
     tensor sum(Zero);
     for (const label v : points)
     {

@@ -20,7 +20,7 @@ Foam::fsbi::fourthOrderElastic::fourthOrderElastic
     const bool mixed
 )
 :
-    elasticOperator(mesh, material, kinds, form, mixed),
+    elasticOperator(mesh, materialParts(material), kinds, form, mixed),
     fits_
     (
         mesh,

@@ -31,22 +31,23 @@ static const scalar smoothingScale = 1;
 Foam::fsbi::secondOrderElastic::secondOrderElastic
 (
     const fvMesh& mesh,
-    const solidMaterial& material,
+    const materialParts& parts,
     const List<solidBoundary::kind>& kinds,
     const constitutiveState::formulation form,
     const bool mixed
 )
 :
-    elasticOperator(mesh, material, kinds, form, mixed),
+    elasticOperator(mesh, parts, kinds, form, mixed),
     values_(stencil_.nColumns(), Zero),
-    stiffening_(mesh.nPoints(), Zero),
+    stiffening_(stencil_.vertices().size(), Zero),
     unexplained_(stencil_.nFaces(), Zero),
+    unexplainedHalves_(stencil_.joints().halves().size(), Zero),
     given_(nullptr),
     dValues_(stencil_.nColumns(), Zero),
-    dGradient_(mesh.nPoints(), Zero),
-    dPressure_(mixed ? mesh.nPoints() : 0, Zero),
-    dStress_(mesh.nPoints(), Zero),
-    dStiffening_(mesh.nPoints(), Zero),
+    dGradient_(stencil_.vertices().size(), Zero),
+    dPressure_(mixed ? dGradient_.size() : 0, Zero),
+    dStress_(dGradient_.size(), Zero),
+    dStiffening_(dGradient_.size(), Zero),
     dBoundaryForce_(stencil_.nGhosts(), Zero),
     vertexRow_(dPressure_.size(), Zero)
 {}
@@ -65,6 +66,26 @@ void Foam::fsbi::secondOrderElastic::gather
         given + nCells, stencil_.nGhosts(), values.begin() + stencil_.firstGhost()
     );
     stencil_.halo().fill(values.begin()->v_, 3);
+    if (stencil_.vertices().several())
+    {
+        const partJoints& joints = stencil_.joints();
+        vectorField all;
+        joints.scatter
+        (
+            UList<vector>
+            (
+                const_cast<vector*>(asVectors(x + firstJointRow())),
+                joints.owned().size()
+            ),
+            all
+        );
+        forAll(joints.halves(), i)
+        {
+            const partJoints::half& h = joints.halves()[i];
+            values[stencil_.firstHalf() + i] =
+                2*all[h.joint] - values[h.cell];
+        }
+    }
 }
 
 
@@ -85,10 +106,7 @@ void Foam::fsbi::secondOrderElastic::setGradient
         }
         gradient[v] = g;
     }
-    sharedVertices::sum<9>
-    (
-        mesh_, gradient.begin()->v_, stencil_.halo().size()
-    );
+    stencil_.vertices().sum<9>(gradient.begin()->v_);
 }
 
 
@@ -107,7 +125,7 @@ void Foam::fsbi::secondOrderElastic::setPressure
     {
         pressure[ownedVertices_[i]] = given[i];
     }
-    sharedVertices::sum<1>(mesh_, pressure.begin(), stencil_.halo().size());
+    stencil_.vertices().sum<1>(pressure.begin());
 }
 
 
@@ -166,6 +184,10 @@ void Foam::fsbi::secondOrderElastic::addFaces
 
     forAll(stencil_.owner(), i)
     {
+        if (stencil_.between(i))
+        {
+            continue;
+        }
         const label P = stencil_.owner()[i];
         const label N = stencil_.neighbour()[i];
         const vector T
@@ -187,6 +209,30 @@ void Foam::fsbi::secondOrderElastic::addFaces
 }
 
 
+void Foam::fsbi::secondOrderElastic::addJoints
+(
+    const tensorField& stress, const vectorField& held, scalar* r
+) const
+{
+    const partJoints& joints = stencil_.joints();
+    vector* row = asVectors(r);
+    vectorField force(joints.size(), Zero);
+    forAll(held, i)
+    {
+        const partJoints::half& h = joints.halves()[i];
+        const vector T
+        (
+            (h.mean(stress) & h.area)
+          + state_.shearModulus()*h.compact*held[i]
+        );
+        row[h.cell] -= T;
+        force[h.joint] += T;
+    }
+    UList<vector> rows(asVectors(r + firstJointRow()), joints.owned().size());
+    joints.sum(force, rows);
+}
+
+
 void Foam::fsbi::secondOrderElastic::addPressures
 (
     const scalarField& volume, const scalarField& pressure, scalar* r
@@ -195,7 +241,7 @@ void Foam::fsbi::secondOrderElastic::addPressures
     vertexRow_ = Zero;
     for (label celli = 0; celli < mesh_.nCells(); ++celli)
     {
-        const labelList& points = mesh_.cellPoints()[celli];
+        const labelList& points = stencil_.vertices().ofCells()[celli];
         scalar mean = 0;
         for (const label v : points)
         {
@@ -203,13 +249,13 @@ void Foam::fsbi::secondOrderElastic::addPressures
         }
         const scalar weight =
             smoothingScale*mesh_.cellVolumes()[celli]
-           /(points.size()*state_.shearModulus());
+           /(points.size()*shearModulus(celli));
         for (const label v : points)
         {
             vertexRow_[v] += weight*(pressure[v] - mean);
         }
     }
-    sharedVertices::sum<1>(mesh_, vertexRow_.begin(), stencil_.halo().size());
+    stencil_.vertices().sum<1>(vertexRow_.begin());
 
     scalar* row = r + 3*(mesh_.nCells() + stencil_.nGhosts());
     forAll(ownedVertices_, i)
@@ -218,7 +264,7 @@ void Foam::fsbi::secondOrderElastic::addPressures
         row[i] =
             vertexRow_[v]
           + stencil_.vertexVolume()[v]
-           *(volume[v] + pressure[v]/material_.lambda());
+           *(volume[v] + pressure[v]/state_.law(v).lambda());
     }
 }
 
@@ -237,6 +283,12 @@ void Foam::fsbi::secondOrderElastic::set
     for (label g = 0; g < stencil_.nGhosts(); ++g)
     {
         *row++ = u(C[stencil_.firstGhost() + g]);
+    }
+    row = asVectors(x + firstJointRow());
+    const partJoints& joints = stencil_.joints();
+    for (const label j : joints.owned())
+    {
+        *row++ = u(mesh_.faceCentres()[joints.faces()[j]]);
     }
 }
 
@@ -268,6 +320,19 @@ void Foam::fsbi::secondOrderElastic::residual
             (stabilisation + stencil_.faceMean(i, stiffening_))*unexplained_[i];
     }
     addFaces(state_.stress(), held, boundaryForce_, r);
+    if (stencil_.vertices().several())
+    {
+        const List<partJoints::half>& halves = stencil_.joints().halves();
+        held.setSize(halves.size());
+        forAll(halves, i)
+        {
+            unexplainedHalves_[i] = unexplainedHalf(i, values_, gradient);
+            held[i] =
+                (stabilisation + halves[i].mean(stiffening_))
+               *unexplainedHalves_[i];
+        }
+        addJoints(state_.stress(), held, r);
+    }
 
     vectorField atGhosts(stencil_.nGhosts());
     forAll(atGhosts, g)
@@ -292,7 +357,7 @@ void Foam::fsbi::secondOrderElastic::residual
     }
     if (mixed_)
     {
-        scalarField volume(mesh_.nPoints());
+        scalarField volume(stencil_.vertices().size());
         forAll(volume, v)
         {
             volume[v] = state_.volumeChange(v);
@@ -337,6 +402,19 @@ void Foam::fsbi::secondOrderElastic::applyJacobian(const scalar* dx, scalar* dr)
           + stencil_.faceMean(i, dStiffening_)*unexplained_[i];
     }
     addFaces(dStress_, held, dBoundaryForce_, dr);
+    if (stencil_.vertices().several())
+    {
+        const List<partJoints::half>& halves = stencil_.joints().halves();
+        held.setSize(halves.size());
+        forAll(halves, i)
+        {
+            held[i] =
+                (stabilisation + halves[i].mean(stiffening_))
+               *unexplainedHalf(i, dValues_, dGradient_)
+              + halves[i].mean(dStiffening_)*unexplainedHalves_[i];
+        }
+        addJoints(dStress_, held, dr);
+    }
 
     vectorField atGhosts(stencil_.nGhosts(), Zero);
     forAll(atGhosts, g)
