@@ -172,7 +172,8 @@ void Foam::fsbi::flowConditions::check(const volVectorField& U)
                 << U.mesh().name() << " has the boundary condition '"
                 << pf.type()
                 << "'; give a velocity (fixedValue, uniformFixedValue,"
-                << " linearShear, Poiseuille, developedFlow, StokesSphere), 'traction' or"
+                << " linearShear, linearFlow, Poiseuille, developedFlow,"
+                << " StokesSphere), 'traction' or"
                 << " 'cyclic'" << exit(FatalError);
         }
     }

@@ -1,10 +1,12 @@
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cells with a cortex against small_deformation.py; write results.csv."""
+"""Cells with a cortex against small_deformation.py and capsule_in_strain.py; write
+results.csv."""
 
 import sys
 
 import numpy as np
+from capsule_in_strain import CapsuleInStrain
 from small_deformation import COS, WEIGHT, capsule, curvature, deformation, laplace_stretch
 
 from fsbi.case import Case
@@ -16,6 +18,10 @@ PULL = 5e-5                     # viscosity times rate of shear
 EDGE = 0.3 if quick else 0.2    # over the radius
 # bound: of the deformation by order 2, as of the elastic sphere of B2
 MESH = 0.005 * (EDGE / 0.1)**2
+# bound: walls at 5 radii stretch a cell by 3 %, those at 20 by the third power of that less
+BOX = 0.03 / 4**3
+# Law, its tension over the shear modulus and the capillary number of what a flow stretches
+STRETCHED = {"Rubber": ("neoHookeanMembrane", 0.3, 0.16), "Skalak": ("Skalak", 0.2, 0.3)}
 results = Results("E3")
 
 
@@ -72,6 +78,67 @@ def in_shear(name, expected, inclination=None, more=0):
     results.add("iterations_abs", iterations, 0, 150, variant=name)
 
 
+def stretching_theory():
+    """What capsule_in_strain.py finds, against small deformations and by more coefficients."""
+    for law, tension in (("neoHookeanMembrane", 0), ("Skalak", 0.2)):
+        strengths = np.array([1e-3, 2e-3])
+        D = [c.taylor(c.steady(), of_ellipsoid=False) for c in
+             (CapsuleInStrain(Ca, law, tension, 8) for Ca in strengths)]
+        first, second = D / strengths
+        # stretching along an axis at a rate is 3/2 of what shear does at that rate
+        small = 25 / 8 if tension == 0 else 1.5 * deformation(law, 1, 3, tension)
+        # bound: the third order, 2 (6 Ca)^2, and differences of the energy as above
+        results.add("stretched_small_deformation", 2 * first - second, small, 3e-3, variant=law)
+    for name, (law, tension, Ca) in STRETCHED.items():
+        coarse, fine = (c.taylor(c.steady()) for c in
+                        (CapsuleInStrain(Ca, law, tension, n) for n in (8, 16)))
+        # bound: what is asked of it
+        results.add("stretched_resolution_abs", coarse, fine, 1e-3, variant=name)
+
+
+def stretched(name, edge, variant=None):
+    """At the end, and on the way at half a time of the flow; the error at the end."""
+    run = Case(f"runs/stretched{variant or name + str(edge)}")
+    theory = CapsuleInStrain(STRETCHED[name][2], *STRETCHED[name][:2])
+    time, D, _ = run.shape("cell")
+    time = time * PULL
+    half = np.argmin(np.abs(time - 0.5))
+    way, end = (theory.taylor(y) for y in theory.after(time[[half, -1]]))
+    steady = theory.steady()
+    if variant == "Thick":              # slower, to the same shape
+        way, end = None, theory.taylor(steady)
+    label = dict(variant=variant or f"{name}{edge}")
+    # bound: the mesh's, with edges over radii of curvature as they are when stretched
+    bound = 0.005 * (edge / 0.1)**2 * theory.sharpness(steady) + BOX
+    results.add("stretched", D[-1], end, bound, seconds=run.seconds, cells=run.cells, **label)
+    if way:
+        # bound: a first step by Euler's rule and others of order 2, of what decays by
+        # exp(-s t), lose (s dt)^2 (1/2 + s t/3) of it
+        still = 1 - way / end
+        decay = -np.log(still) / time[half]
+        late = still * (decay * (time[1] - time[0]))**2 * (1 / 2 + decay * time[half] / 3)
+        results.add("stretched_halfway", D[half], way, bound + late, **label)
+    # bound: the mesh's, of what the flow does
+    axes = run.history["elasticBodies/cell/semiAxes"]
+    results.add("stretched_roundness", axes["middle"][-1], axes["shortest"][-1], bound * end,
+                **label)
+    if variant != "Corners":
+        volume = run.history["elasticBodies/cell/volume"]["now"][-1]
+        results.add("stretched_volume", volume, 4 / 3 * np.pi * RADIUS**3, bound * end, **label)
+    return D[-1] / end - 1
+
+
+def stretching():
+    edges = (0.4, 0.3) if quick else (0.4, 0.3, 0.2)
+    for name in STRETCHED:
+        errors = np.abs([stretched(name, edge) for edge in edges])
+        order = np.log(errors[0] / errors[-1]) / np.log(edges[0] / edges[-1])
+        # bound: order 2; half of one for the few meshes
+        results.at_least("stretched_order", order, 1.5, variant=name)
+    stretched("Skalak", 0.3, "Corners")
+    stretched("Rubber", 0.4, "Thick")
+
+
 def red_cell():
     """Helfrich's energy of a modulus of 1 of the biconcave disc as it is described."""
     angle = np.arccos(COS)
@@ -107,6 +174,7 @@ def shape(name):
 
 def main():
     theory()
+    stretching_theory()
     laplace()
     in_shear("cortex", PULL * deformation("Skalak", 1e-3, 3e-3, solid=(2e-3, 0.49)))
     for ratio in (1, 5):
@@ -117,6 +185,7 @@ def main():
     # order 2, by (2.4 h/a)^2/12, and bending is half of the stiffness
     in_shear("bent", *capsule(1, "Skalak", 50, 150, 2.5, 5), more=0.24 * EDGE**2)
     in_shear("closed", *capsule(1, "Skalak", 50, 150, 2.5))
+    stretching()
     red_cell()
     whole = shape("whole")
     # bound: a restart knows all

@@ -26,6 +26,11 @@ def shear(x):
     return np.stack([3*x[:, 2], 0*x[:, 0], 0*x[:, 0]], 1), 0*x[:, 0]
 
 
+def linear(x):
+    gradient = np.array([[0.5, 0.1, -0.2], [0.3, -0.9, 0.4], [-0.6, 0.7, 0.4]])
+    return 2*(x - [1, 0.5, 0]) @ gradient.T, 0*x[:, 0]
+
+
 def couette(x):
     return np.stack([0.5*(1 + x[:, 2]), 0*x[:, 0], 0*x[:, 0]], 1), 0*x[:, 0]
 
@@ -58,7 +63,7 @@ def duct(x):
 case, flow, bound = sys.argv[1], sys.argv[2], float(sys.argv[3])
 x, U, p = field(case, "C"), field(case, "U"), field(case, "p")[:, 0]
 
-if flow in ("shear", "couette", "uniform", "table"):
+if flow in ("shear", "linear", "couette", "uniform", "table"):
     exact, pressure = globals()[flow](x)
     if len(sys.argv) > 4:           # an open end sets the pressure
         pressure = pressure + float(sys.argv[4])

@@ -38,6 +38,42 @@ void Foam::fsbi::linearShear::write(Ostream& os) const
 }
 
 
+Foam::fsbi::linearFlow::linearFlow
+(
+    const checkedDictionary& dict, const fvPatch&
+)
+:
+    rate_(dict, "rate"),
+    gradient_(dict.get<tensor>("gradient")),
+    origin_(dict.getOrDefault<point>("origin", Zero))
+{
+    if (mag(tr(gradient_)) > 1e-6*mag(gradient_))
+    {
+        FatalIOErrorInFunction(dict.dict())
+            << "Entry 'gradient' is that of a flow that keeps its volume,"
+            << " xx + yy + zz = 0, but is " << gradient_
+            << ", of which that is " << tr(gradient_) << exit(FatalIOError);
+    }
+}
+
+
+Foam::vector Foam::fsbi::linearFlow::operator()
+(
+    const point& x, const scalar time
+) const
+{
+    return rate_.value(time)*(gradient_ & (x - origin_));
+}
+
+
+void Foam::fsbi::linearFlow::write(Ostream& os) const
+{
+    rate_.write(os);
+    os.writeEntry("gradient", gradient_);
+    os.writeEntry("origin", origin_);
+}
+
+
 Foam::fsbi::Poiseuille::Poiseuille
 (
     const checkedDictionary& dict, const fvPatch&
@@ -122,12 +158,17 @@ namespace fsbi
 {
 
 typedef profileFvPatchVectorField<linearShear> linearShearFvPatchVectorField;
+typedef profileFvPatchVectorField<linearFlow> linearFlowFvPatchVectorField;
 typedef profileFvPatchVectorField<Poiseuille> PoiseuilleFvPatchVectorField;
 typedef profileFvPatchVectorField<StokesSphere> StokesSphereFvPatchVectorField;
 
 defineTemplateTypeNameAndDebugWithName
 (
     linearShearFvPatchVectorField, Foam::fsbi::linearShear::name, 0
+);
+defineTemplateTypeNameAndDebugWithName
+(
+    linearFlowFvPatchVectorField, Foam::fsbi::linearFlow::name, 0
 );
 defineTemplateTypeNameAndDebugWithName
 (
@@ -141,6 +182,10 @@ defineTemplateTypeNameAndDebugWithName
 addToPatchFieldRunTimeSelection
 (
     fvPatchVectorField, linearShearFvPatchVectorField
+)
+addToPatchFieldRunTimeSelection
+(
+    fvPatchVectorField, linearFlowFvPatchVectorField
 )
 addToPatchFieldRunTimeSelection
 (

@@ -48,6 +48,10 @@ Foam::fsbi::cortex::cortex
          || kinds[i] == solidBoundary::coupled;
     }
     reduce(closed_, andOp<bool>());
+    if (entries.choice("loads", {"corners", "faces"}, "corners") == "faces")
+    {
+        measureCorners(dict);
+    }
     if (entries.found("bendingModulus"))
     {
         List<triFace> triangles(elements_.size());
@@ -61,6 +65,31 @@ Foam::fsbi::cortex::cortex
         );
     }
     entries.finish();
+}
+
+
+void Foam::fsbi::cortex::measureCorners(const dictionary& dict)
+{
+    if (!closed_)
+    {
+        FatalIOErrorInFunction(dict)
+            << "'loads faces' is for a cortex that goes all round its body,"
+            << " but this one ends at held faces or a plane of symmetry;"
+            << " leave it out" << exit(FatalIOError);
+    }
+    overArea_.setSize(mesh_.nPoints(), 0);
+    for (const element& t : elements_)
+    {
+        for (const label v : t.corners)
+        {
+            overArea_[v] += t.area/3;
+        }
+    }
+    sharedVertices::sum<1>(mesh_, overArea_.begin(), nHalo_);
+    for (scalar& a : overArea_)
+    {
+        a = a > 0 ? 1/a : 0;
+    }
 }
 
 
@@ -153,6 +182,27 @@ void Foam::fsbi::cortex::sumShared(vectorField& force) const
 }
 
 
+void Foam::fsbi::cortex::smoothToFaces(acting& force) const
+{
+    vectorField moved(force.vertices.size(), Zero);
+    for (const element& t : elements_)
+    {
+        vector f(Zero);
+        for (const label v : t.corners)
+        {
+            f += t.area/3*overArea_[v]*force.vertices[v];
+        }
+        force.faces[t.face] += f;
+        for (const label v : t.corners)
+        {
+            moved[v] -= f/3;
+        }
+    }
+    sumShared(moved);
+    force.vertices += moved;
+}
+
+
 Foam::fsbi::cortex::acting Foam::fsbi::cortex::forces(const vectorField& u)
 {
     acting force{vectorField(u.size(), Zero), vectorField(nFaces_, Zero)};
@@ -199,6 +249,10 @@ Foam::fsbi::cortex::acting Foam::fsbi::cortex::forces(const vectorField& u)
         shift(t, 0.5*pressure_*(t.e1 ^ t.e2), force);
     }
     sumShared(force.vertices);
+    if (!overArea_.empty())
+    {
+        smoothToFaces(force);
+    }
     return force;
 }
 
@@ -243,6 +297,10 @@ Foam::fsbi::cortex::acting Foam::fsbi::cortex::tangent
         }
     }
     sumShared(force.vertices);
+    if (!overArea_.empty())
+    {
+        smoothToFaces(force);
+    }
     return force;
 }
 
