@@ -131,20 +131,35 @@ Foam::labelList Foam::fsbi::elasticParts::ofCells
                 << exit(FatalError);
         }
     }
+    if (names_.size())
+    {
+        checkSurface(mesh, result);
+    }
+    return result;
+}
+
+
+void Foam::fsbi::elasticParts::checkSurface
+(
+    const fvMesh& mesh, const labelUList& ofCells
+) const
+{
     for (const polyPatch& pp : mesh.boundaryMesh())
     {
-        forAll(pp, i)
+        for (label i = 0; !pp.coupled() && i < pp.nPoints(); ++i)
         {
-            const label part = result.empty() ? 0 : result[pp.faceCells()[i]];
-            if (part && !pp.coupled())
+            for (const label celli : mesh.pointCells()[pp.meshPoints()[i]])
             {
-                FatalErrorInFunction
-                    << "Part '" << names_[part - 1] << "' of body '"
-                    << mesh.name() << "' has cells at the body's surface, at "
-                    << pp.faceCentres()[i] << ": refine the mesh between them,"
-                    << " or move the part" << exit(FatalError);
+                if (ofCells[celli])
+                {
+                    FatalErrorInFunction
+                        << "Part '" << names_[ofCells[celli] - 1]
+                        << "' of body '" << mesh.name() << "' has cells at the"
+                        << " body's surface, at " << pp.localPoints()[i]
+                        << ": refine the mesh between them, or move the part"
+                        << exit(FatalError);
+                }
             }
         }
     }
-    return result;
 }

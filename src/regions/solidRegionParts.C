@@ -65,6 +65,25 @@ void Foam::fsbi::solidRegion::checkPart
 }
 
 
+void Foam::fsbi::solidRegion::checkPressures
+(
+    const bool mixed, const materialParts& parts
+) const
+{
+    for (const solidMaterial* law : parts.laws)
+    {
+        if (mixed && !(law->nu() > 0))
+        {
+            FatalIOErrorInFunction(materialEntries_)
+                << "Body '" << name() << "' has a pressure of its own (mixed"
+                << " yes, the default where a nu is 0.45 or more), which needs"
+                << " nu above 0 in all its parts; one has " << law->nu()
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 Foam::scalar Foam::fsbi::solidRegion::mostIncompressible() const
 {
     scalar nu = material_->nu();

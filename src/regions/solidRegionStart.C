@@ -138,6 +138,7 @@ void Foam::fsbi::solidRegion::create(const bool saved)
         "mixed", order_ == 2 && mostIncompressible() >= 0.45
     );
     checkLiquid(mixed);
+    checkPressures(mixed, parts);
     elastic_ = elasticOperator::New
     (
         order_, mesh(), parts, conditions_->given().kinds, formulation_, mixed
