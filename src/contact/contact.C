@@ -34,6 +34,20 @@ static const label halvings = 12;
 //- Step of the difference for a shape's normal, in radii: an error of 1e-8
 static const scalar small = 1e-4;
 
+//- Friction takes energy out of random ways and, unlike the fluid's resistance,
+//  gives none back: there would be no temperature
+static void refuseRandomForces(const dictionary& dict)
+{
+    if (dict.parent().found("thermalMotion"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'friction' of contact does not go with the effect"
+            << " 'thermalMotion', whose random forces are those of the fluid"
+            << " alone: remove one of them" << exit(FatalIOError);
+    }
+}
+
+
 //- Normal of a body's described shape at a point of it
 static vector normalOf(const immersedBody& body, const point& on)
 {
@@ -74,6 +88,10 @@ Foam::fsbi::contact::contact
         entries.found(key);
     }
     entries.finish();
+    if (friction_.acts())
+    {
+        refuseRandomForces(dict);
+    }
     reportUnseen("Bodies have no contact with", context_.unseen);
     setDivisions();
 

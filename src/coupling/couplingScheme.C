@@ -182,8 +182,7 @@ Foam::fsbi::outcome Foam::fsbi::couplingScheme::advance
         }
         return solved;
     }
-    const outcome inside(fluid_.still() ? fluid_.holdsBodies() : outcome());
-    return inside ? finish(rows, loads) : inside;
+    return finish(rows, loads);
 }
 
 

@@ -137,7 +137,7 @@ Foam::fsbi::outcome Foam::fsbi::conformalMesher::apart
     const wordList& names,
     const UList<bodySurface>& bodies,
     const bodySurface& walls
-) const
+)
 {
     OStringStream reason;
     DynamicList<point> points;
@@ -191,7 +191,7 @@ Foam::fsbi::outcome Foam::fsbi::conformalMesher::outside
     const wordList& names,
     const UList<bodySurface>& bodies,
     const bodySurface& walls
-) const
+)
 {
     OStringStream reason;
     forAll(bodies, b)
@@ -495,6 +495,18 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
         setPatches(bodyNames, mesh);
     }
     return mesh;
+}
+
+
+Foam::fsbi::outcome Foam::fsbi::conformalMesher::inside
+(
+    const wordList& names,
+    const UList<bodySurface>& bodies,
+    const bodySurface& walls
+)
+{
+    const outcome there(placed(names, bodies, walls.bounds()));
+    return there ? apart(names, bodies, walls) : there;
 }
 
 

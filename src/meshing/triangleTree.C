@@ -203,3 +203,16 @@ bool Foam::fsbi::triangleTree::find
     }
     return found;
 }
+
+
+Foam::fsbi::bodySurface Foam::fsbi::triangleTree::surface() const
+{
+    pointField points(corners_.size());
+    std::copy(corners_.begin(), corners_.end(), points.begin());
+    List<triFace> triangles(points.size()/3);
+    forAll(triangles, i)
+    {
+        triangles[i] = triFace(3*i, 3*i + 1, 3*i + 2);
+    }
+    return bodySurface(points, triangles);
+}

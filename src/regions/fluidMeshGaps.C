@@ -268,3 +268,48 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap
     }
     return gap;
 }
+
+
+Foam::fsbi::outcome Foam::fsbi::fluidMesh::holdsBodies()
+{
+    if (withoutBodies_)
+    {
+        return outcome();
+    }
+    auto timer = timings_.measure("meshing");
+    string reason;
+    if (Pstream::master())
+    {
+        const wordList names(namesOf(present_));
+        const bodySurface walls
+        (
+            boundary_->surface().transformed
+            (
+                tensor::I, shift() - referenceShift_
+            )
+        );
+        List<bodySurface> surfaces(present_.size());
+        forAll(surfaces, b)
+        {
+            surfaces[b] = motion_->surface(b);
+        }
+        reason = conformalMesher::inside(names, surfaces, walls).reason;
+        if (reason.size() && refines())
+        {
+            // a new mesh has triangles that are cut for the gaps there now
+            readDomain();
+            surfaces =
+                mesher_->refined(meshedSurfaces(present_), shapes(), shift());
+            reason = conformalMesher::inside(names, surfaces, walls).reason;
+        }
+    }
+    Pstream::scatter(reason);
+    return
+        reason.empty()
+      ? outcome()
+      : outcome::failed
+        (
+            "where the step ends there is no mesh: " + reason
+          + narrowGap(false)
+        );
+}

@@ -278,25 +278,6 @@ Foam::fsbi::outcome Foam::fsbi::fluidRegion::followMesh()
 }
 
 
-Foam::fsbi::outcome Foam::fsbi::fluidRegion::holdsBodies() const
-{
-    const boundBox& domain = mesh_.mesh().bounds();
-    for (const immersedBody& body : mesh_.bodies())
-    {
-        const boundBox box(body.placedSurface().bounds());
-        if (body.present() && !domain.contains(box))
-        {
-            OStringStream reason;
-            reason
-                << "body '" << body.name() << "' would leave the domain: it"
-                << " reaches from " << box.min() << " to " << box.max();
-            return outcome::failed(reason.str());
-        }
-    }
-    return outcome();
-}
-
-
 Foam::fsbi::outcome Foam::fsbi::fluidRegion::move()
 {
     {

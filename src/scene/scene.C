@@ -150,10 +150,12 @@ Foam::fsbi::outcome Foam::fsbi::scene::advance()
           + "' is infinite or no number"
         );
     }
-    const outcome accepted
-    (
-        solved && effects_ ? effects_->acceptable() : solved
-    );
+    outcome accepted(solved && effects_ ? effects_->acceptable() : solved);
+    // without effects bodies end where the mesh is
+    if (accepted && effects_)
+    {
+        accepted = fluid_->holdsBodies();
+    }
     return accepted && carried_ ? advanceCarried() : accepted;
 }
 
