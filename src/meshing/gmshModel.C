@@ -152,6 +152,27 @@ void Foam::fsbi::gmshModel::addOutline
 }
 
 
+void Foam::fsbi::gmshModel::addVolumes() const
+{
+    std::vector<int> shells;
+    if (pieces_.size())
+    {
+        shells.push_back(gmsh::model::geo::addSurfaceLoop(pieces_));
+    }
+    // without pieces the last surface given is the domain's
+    for (auto tag = given_.rbegin(); tag != given_.rend(); ++tag)
+    {
+        shells.push_back(gmsh::model::geo::addSurfaceLoop({*tag}));
+    }
+    for (const int tag : filled_)
+    {
+        shells.push_back(gmsh::model::geo::addSurfaceLoop({tag}));
+        gmsh::model::geo::addVolume({shells.back()});
+    }
+    gmsh::model::geo::addVolume(shells);
+}
+
+
 Foam::string Foam::fsbi::gmshModel::generate
 (
     const sizeFunction& size,
@@ -165,22 +186,7 @@ Foam::string Foam::fsbi::gmshModel::generate
     try
     {
         setOptions(settings);
-        std::vector<int> shells;
-        if (pieces_.size())
-        {
-            shells.push_back(gmsh::model::geo::addSurfaceLoop(pieces_));
-        }
-        // without pieces the last surface given is the domain's
-        for (auto tag = given_.rbegin(); tag != given_.rend(); ++tag)
-        {
-            shells.push_back(gmsh::model::geo::addSurfaceLoop({*tag}));
-        }
-        for (const int tag : filled_)
-        {
-            shells.push_back(gmsh::model::geo::addSurfaceLoop({tag}));
-            gmsh::model::geo::addVolume({shells.back()});
-        }
-        gmsh::model::geo::addVolume(shells);
+        addVolumes();
         gmsh::model::geo::synchronize();
         for (const copy& c : copies_)
         {

@@ -233,6 +233,45 @@ void Foam::fsbi::secondOrderElastic::addJoints
 }
 
 
+void Foam::fsbi::secondOrderElastic::addJoints(scalar* r)
+{
+    const List<partJoints::half>& halves = stencil_.joints().halves();
+    if (!stencil_.vertices().several())
+    {
+        return;
+    }
+    vectorField held(halves.size());
+    forAll(halves, i)
+    {
+        unexplainedHalves_[i] =
+            unexplainedHalf(i, values_, state_.gradient());
+        held[i] =
+            (stabilisation + halves[i].mean(stiffening_))
+           *unexplainedHalves_[i];
+    }
+    addJoints(state_.stress(), held, r);
+}
+
+
+void Foam::fsbi::secondOrderElastic::addJointTangents(scalar* dr) const
+{
+    const List<partJoints::half>& halves = stencil_.joints().halves();
+    if (!stencil_.vertices().several())
+    {
+        return;
+    }
+    vectorField held(halves.size());
+    forAll(halves, i)
+    {
+        held[i] =
+            (stabilisation + halves[i].mean(stiffening_))
+           *unexplainedHalf(i, dValues_, dGradient_)
+          + halves[i].mean(dStiffening_)*unexplainedHalves_[i];
+    }
+    addJoints(dStress_, held, dr);
+}
+
+
 void Foam::fsbi::secondOrderElastic::addPressures
 (
     const scalarField& volume, const scalarField& pressure, scalar* r
@@ -320,19 +359,7 @@ void Foam::fsbi::secondOrderElastic::residual
             (stabilisation + stencil_.faceMean(i, stiffening_))*unexplained_[i];
     }
     addFaces(state_.stress(), held, boundaryForce_, r);
-    if (stencil_.vertices().several())
-    {
-        const List<partJoints::half>& halves = stencil_.joints().halves();
-        held.setSize(halves.size());
-        forAll(halves, i)
-        {
-            unexplainedHalves_[i] = unexplainedHalf(i, values_, gradient);
-            held[i] =
-                (stabilisation + halves[i].mean(stiffening_))
-               *unexplainedHalves_[i];
-        }
-        addJoints(state_.stress(), held, r);
-    }
+    addJoints(r);
 
     vectorField atGhosts(stencil_.nGhosts());
     forAll(atGhosts, g)
@@ -402,19 +429,7 @@ void Foam::fsbi::secondOrderElastic::applyJacobian(const scalar* dx, scalar* dr)
           + stencil_.faceMean(i, dStiffening_)*unexplained_[i];
     }
     addFaces(dStress_, held, dBoundaryForce_, dr);
-    if (stencil_.vertices().several())
-    {
-        const List<partJoints::half>& halves = stencil_.joints().halves();
-        held.setSize(halves.size());
-        forAll(halves, i)
-        {
-            held[i] =
-                (stabilisation + halves[i].mean(stiffening_))
-               *unexplainedHalf(i, dValues_, dGradient_)
-              + halves[i].mean(dStiffening_)*unexplainedHalves_[i];
-        }
-        addJoints(dStress_, held, dr);
-    }
+    addJointTangents(dr);
 
     vectorField atGhosts(stencil_.nGhosts(), Zero);
     forAll(atGhosts, g)
