@@ -451,10 +451,16 @@ void Foam::fsbi::vertexElasticity::addCorrection
             u[f.size() + g] += ghostWeights_[g][i]*vertices_[points[i]];
         }
     }
+    addToJoints(joints);
+}
+
+
+void Foam::fsbi::vertexElasticity::addToJoints(UList<vector>& joints) const
+{
+    const partJoints& all = elastic_.stencil().joints();
     forAll(joints, i)
     {
-        const label j = stencil.joints().owned()[i];
-        const face& f = mesh_.faces()[stencil.joints().faces()[j]];
+        const face& f = mesh_.faces()[all.faces()[all.owned()[i]]];
         for (const label v : f)
         {
             joints[i] += vertices_[v]/f.size();
