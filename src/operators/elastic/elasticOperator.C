@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fourthOrderElastic.H"
-#include "asVectors.H"
+#include "jointValues.H"
 #include "secondOrderElastic.H"
 #include "sharedVertices.H"
 #include "syncTools.H"
@@ -159,16 +159,7 @@ void Foam::fsbi::elasticOperator::shareJoints
 ) const
 {
     const partJoints& joints = stencil_.joints();
-    vectorField force;
-    joints.scatter
-    (
-        UList<vector>
-        (
-            const_cast<vector*>(asVectors(r + firstJointRow())),
-            joints.owned().size()
-        ),
-        force
-    );
+    const vectorField force(jointValues(*this, r));
     for (const partJoints::half& h : joints.halves())
     {
         cells[h.cell] += h.share*force[h.joint];

@@ -59,21 +59,23 @@ void Foam::fsbi::elasticStencil::addFace
 )
 {
     const label part = vertices_.ofCell(mesh_.faceOwner()[facei]);
+    const labelUList& corners = mesh_.faces()[facei];
+    const auto addVertices = [&](const label ofPart)
+    {
+        for (const label v : corners)
+        {
+            faceVertex_.append(vertices_.of(ofPart, v));
+        }
+    };
+    addVertices(part);
     if (part != neighbourPart)
     {
         between.append(face_.size());
+        addVertices(neighbourPart);
     }
     face_.append(facei);
     owner_.append(mesh_.faceOwner()[facei]);
     neighbour_.append(neighbour);
-    for (const label v : mesh_.faces()[facei])
-    {
-        faceVertex_.append(vertices_.of(part, v));
-    }
-    for (label i = 0; part != neighbourPart && i < mesh_.faces()[facei].size(); ++i)
-    {
-        faceVertex_.append(vertices_.of(neighbourPart, mesh_.faces()[facei][i]));
-    }
     faceStart_.append(faceVertex_.size());
 }
 

@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "secondOrderElastic.H"
-#include "asVectors.H"
+#include "jointValues.H"
 #include "sharedVertices.H"
 #include "strainStiffening.H"
 
@@ -12,14 +12,6 @@ namespace Foam
 {
 namespace fsbi
 {
-
-//- Of what vertices do not explain, over mu. Near 2/3 the error of bending
-//  that falls with the square of the cells' size is gone and beams are a
-//  little soft, of third order; larger values make them stiff, but the stress
-//  better. In flexure, 8 and 16 cells across, orders of displacement and stress
-//  are 3.6, 1.9496 with 0.7; 5.4, 1.951 with 0.72; 0.9, 1.954 with 0.75, where
-//  both errors cancel on coarse cells. Below 0.5 it is not stable
-static const scalar stabilisation = 0.72;
 
 //- Smoothing of the pressure: larger is smoother, and less local
 static const scalar smoothingScale = 1;
@@ -69,16 +61,7 @@ void Foam::fsbi::secondOrderElastic::gather
     if (stencil_.vertices().several())
     {
         const partJoints& joints = stencil_.joints();
-        vectorField all;
-        joints.scatter
-        (
-            UList<vector>
-            (
-                const_cast<vector*>(asVectors(x + firstJointRow())),
-                joints.owned().size()
-            ),
-            all
-        );
+        const vectorField all(jointValues(*this, x));
         forAll(joints.halves(), i)
         {
             const partJoints::half& h = joints.halves()[i];
@@ -206,69 +189,6 @@ void Foam::fsbi::secondOrderElastic::addFaces
             row[N] += T;
         }
     }
-}
-
-
-void Foam::fsbi::secondOrderElastic::addJoints
-(
-    const tensorField& stress, const vectorField& held, scalar* r
-) const
-{
-    const partJoints& joints = stencil_.joints();
-    vector* row = asVectors(r);
-    vectorField force(joints.size(), Zero);
-    forAll(held, i)
-    {
-        const partJoints::half& h = joints.halves()[i];
-        const vector T
-        (
-            (h.mean(stress) & h.area)
-          + state_.shearModulus()*h.compact*held[i]
-        );
-        row[h.cell] -= T;
-        force[h.joint] += T;
-    }
-    UList<vector> rows(asVectors(r + firstJointRow()), joints.owned().size());
-    joints.sum(force, rows);
-}
-
-
-void Foam::fsbi::secondOrderElastic::addJoints(scalar* r)
-{
-    const List<partJoints::half>& halves = stencil_.joints().halves();
-    if (!stencil_.vertices().several())
-    {
-        return;
-    }
-    vectorField held(halves.size());
-    forAll(halves, i)
-    {
-        unexplainedHalves_[i] =
-            unexplainedHalf(i, values_, state_.gradient());
-        held[i] =
-            (stabilisation + halves[i].mean(stiffening_))
-           *unexplainedHalves_[i];
-    }
-    addJoints(state_.stress(), held, r);
-}
-
-
-void Foam::fsbi::secondOrderElastic::addJointTangents(scalar* dr) const
-{
-    const List<partJoints::half>& halves = stencil_.joints().halves();
-    if (!stencil_.vertices().several())
-    {
-        return;
-    }
-    vectorField held(halves.size());
-    forAll(halves, i)
-    {
-        held[i] =
-            (stabilisation + halves[i].mean(stiffening_))
-           *unexplainedHalf(i, dValues_, dGradient_)
-          + halves[i].mean(dStiffening_)*unexplainedHalves_[i];
-    }
-    addJoints(dStress_, held, dr);
 }
 
 
