@@ -32,7 +32,8 @@ def theory():
     results.add("solid_small_deformation", deformation(solid=(1, 0.4999999)), 1.25, 1e-4)
     # bound: differences as above; a core of the same material is none
     results.add("core_of_the_same_small_deformation",
-                deformation(solid=(1, 0.49), core=(0.6, 1, 0.49)), deformation(solid=(1, 0.49)), 1e-9)
+                deformation(solid=(1, 0.49), core=(0.6, 1, 0.49)),
+                deformation(solid=(1, 0.49)), 1e-9)
     tension = 1000
     for ratio in (1, 5):
         taylor = (19 * ratio + 16) / (16 * ratio + 16) / tension
