@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Optima that are known, in few measurements."""
 
+import signal
+import time
+
 import numpy as np
 import pytest
 
@@ -67,3 +70,26 @@ def test_best_meets_constraints_first():
     assert search.best([[1, -1], [5, 0.1], [3, 0.2], [np.nan, np.nan]]) == 2
     assert search.best([[1, -1], [2, -0.5]]) == 1
     assert search.best([[np.nan]]) is None
+
+
+def test_ctrl_c_at_any_moment_is_an_exception_and_nothing_else(capfd):
+    def interrupt(*_):
+        raise KeyboardInterrupt
+
+    scaled = search.Scaled([(1, 1), (2, -1)])
+    moments = np.random.default_rng(1).uniform(1e-4, 4e-3, 100)
+    before, ended = signal.signal(signal.SIGALRM, interrupt), 0
+    try:
+        for moment in moments:
+            try:
+                signal.setitimer(signal.ITIMER_REAL, moment)
+                search.descend(lambda u: (((u - 0.3) ** 2).sum(), 0.8 - u.sum()),
+                               np.array([0.5, 0.5, 0.1]), scaled, 200, 1e-7)
+                time.sleep(0.1)         # it was done before
+            except KeyboardInterrupt:
+                ended += 1
+    finally:
+        signal.signal(signal.SIGALRM, before)
+    assert ended == len(moments)
+    # Fortran would tell of a call that did not come back, if it came back itself
+    assert capfd.readouterr() == ("", "")

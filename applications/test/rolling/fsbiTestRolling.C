@@ -37,7 +37,11 @@ static dictionary entries(const std::string& motion, const scalar size)
 }
 
 
-static rollingLeukocyte cell(const std::string& motion, const scalar size = 1)
+static rollingLeukocyte leukocyte
+(
+    const std::string& motion,
+    const scalar size = 1
+)
 {
     return rollingLeukocyte("cell", entries(motion, size), 0);
 }
@@ -71,7 +75,7 @@ static void checkTurns(checks& c)
 {
     rollingLeukocyte body
     (
-        cell("velocity (0.2 0 0); angularVelocity (0.01 0 -0.05);")
+        leukocyte("velocity (0.2 0 0); angularVelocity (0.01 0 -0.05);")
     );
     const bodySurface first(body.placedSurface());
     const point centre(body.now().centre);
@@ -159,7 +163,7 @@ static void checkTimes(checks& c)
 {
     rollingLeukocyte body
     (
-        cell("velocity (0.2 0 0); angularVelocity (0 0 -0.05);")
+        leukocyte("velocity (0.2 0 0); angularVelocity (0 0 -0.05);")
     );
     const scalar w = 0.05;
     const scalarField z
@@ -215,7 +219,7 @@ static void checkVelocities(checks& c)
     const std::string turned("orientation ((1 2 0) 0.7); ");
     rollingLeukocyte body
     (
-        cell
+        leukocyte
         (
             turned
           + "velocity (0.1 0.02 0.3); angularVelocity (0.01 0.03 -0.05);"
@@ -229,7 +233,7 @@ static void checkVelocities(checks& c)
     const scalar dt = 1e-4;
     rollingLeukocyte next
     (
-        cell
+        leukocyte
         (
             turned
           + "velocity (0.1 0.02 0.3); angularVelocity (0.01 0.03 -0.05);"
@@ -266,7 +270,7 @@ static scalar netFlux(const scalar size, scalar& sliding)
 {
     const rollingLeukocyte body
     (
-        cell("angularVelocity (0.01 0.03 -0.05);", size)
+        leukocyte("angularVelocity (0.01 0.03 -0.05);", size)
     );
     const bodySurface surface(body.meshedSurface());
     scalar net = 0, gross = 0;
@@ -306,7 +310,7 @@ static void checkState(checks& c)
         " angularVelocity polynomial (((0 0 -0.1) (0 0 0))"
         " ((0 0 0.02) (1 1 1)));"
     );
-    rollingLeukocyte body(cell(motion));
+    rollingLeukocyte body(leukocyte(motion));
     step(body, 2, 2);
     c.checkClose
     (
@@ -348,7 +352,7 @@ static void checkState(checks& c)
         "no longer the one of the saved state"
     );
 
-    rollingLeukocyte still(cell(""));
+    rollingLeukocyte still(leukocyte(""));
     const pointField there(still.placedSurface().points());
     step(still, 5, 5);
     c.check

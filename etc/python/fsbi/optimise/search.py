@@ -13,6 +13,9 @@ References
     Numerical Analysis, Kluwer, 51-67.
 """
 
+import queue
+import threading
+
 import numpy as np
 from scipy.optimize import minimize
 
@@ -56,15 +59,30 @@ def best(rows):
 
 def descend(measure, start, scaled, points, tolerance):
     """measure(u) gives (value, *rooms); `points` of them at most."""
-    known, ended = {}, []
+    asked, answered = queue.SimpleQueue(), queue.SimpleQueue()
+    # a thread of its own: signals only reach the main one, and Ctrl-C must not jump out
+    # of a function that Fortran has called, which may end the whole program
+    try:
+        threading.Thread(target=_cobyla,
+                         args=(asked, answered, start, scaled, points, tolerance)).start()
+        while (x := asked.get()) is not None:
+            answered.put(scaled(measure(np.clip(x, 0, 1))))
+    finally:
+        answered.put(None)
+
+
+def _cobyla(asked, answered, start, scaled, points, tolerance):
+    """Asks for values at points, None when there are no more; an answer of None ends it."""
+    known, going_on = {}, True
 
     def at(x):
+        nonlocal going_on
         key = x.tobytes()
-        if key not in known and not ended:
-            try:
-                known[key] = scaled(measure(np.clip(x, 0, 1)))
-            except BaseException as error:      # Ctrl-C: Fortran would add words of its own
-                ended.append(error)
+        if key not in known and going_on:
+            asked.put(x.copy())
+            answer = answered.get()
+            going_on = answer is not None
+            known[key] = answer if going_on else scaled.worst
         return known.get(key, scaled.worst)
 
     dimensions, rooms = len(start), len(scaled.scale) - 1
@@ -72,7 +90,8 @@ def descend(measure, start, scaled, points, tolerance):
     for i in range(dimensions):
         constraints += [dict(type="ineq", fun=lambda x, i=i: x[i]),
                         dict(type="ineq", fun=lambda x, i=i: 1 - x[i])]
-    minimize(lambda x: at(x)[0], start, method="COBYLA", constraints=constraints,
-             options=dict(rhobeg=FIRST_STEP, tol=tolerance, maxiter=points, catol=0))
-    if ended:
-        raise ended[0]
+    try:
+        minimize(lambda x: at(x)[0], start, method="COBYLA", constraints=constraints,
+                 options=dict(rhobeg=FIRST_STEP, tol=tolerance, maxiter=points, catol=0))
+    finally:
+        asked.put(None)
