@@ -17,7 +17,8 @@ defineRunTimeSelectionTable(effect, entries);
 //- Effects that come with the project, each in a library of its own
 static const wordList ours
 ({
-    "bonds", "contact", "magnetics", "repulsion", "thermalMotion", "weight"
+    "bonds", "contact", "magnetics", "opticalTweezers", "repulsion",
+    "thermalMotion", "weight"
 });
 
 //- bonds -> libfsbiBonds.so
