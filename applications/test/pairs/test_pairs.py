@@ -31,7 +31,9 @@ PARTS = {
                  b { type saturated; magnetisation 1e4; } }
         interaction {}"""),
     "weight": ("effects", "gravity (0 -9.81e-6 0); fluidDensity 1;"),
-    "opticalTweezers": ("effects", "t { body a; position (-1 1.5 0.1); stiffness 1e-3; }"),
+    "opticalTweezers": ("effects", """
+        left { body a; position (-1 1.5 0.1); stiffness 1e-3; }
+        right { body b; position (1.1 1.6 0); stiffness 1e-3; }"""),
     "thermalMotion": ("effects", "temperature 310; seed 1;"),
     "inertia": ("fluid/material", "density 1;"),
     "forces": ("fluid/material", "drive { type uniform; value (1e-5 0 0); }"),
