@@ -125,14 +125,15 @@ hdfHandle createTable
 }
 
 
-bool addRow
+bool addRows
 (
-    const hid_t dataset, const hsize_t row, const std::vector<double>& values
+    const hid_t dataset, const hsize_t row, const hsize_t columns,
+    const std::vector<double>& values
 )
 {
     const hsize_t start[2] = {row, 0};
-    const hsize_t count[2] = {1, values.size()};
-    const hsize_t size[2] = {row + 1, values.size()};
+    const hsize_t count[2] = {values.size()/columns, columns};
+    const hsize_t size[2] = {row + count[0], columns};
     if (H5Dset_extent(dataset, size) < 0)
     {
         return false;

@@ -139,10 +139,29 @@ Foam::fsbi::historyFile::table Foam::fsbi::historyFile::openTable
     return t;
 }
 
+void Foam::fsbi::historyFile::writeWaiting()
+{
+    for (auto& named : tables_)
+    {
+        table& t = named.second;
+        if (t.waiting.empty())
+        {
+            continue;
+        }
+        const label old = t.rows - label(t.waiting.size())/t.columns;
+        if (!hdf::addRows(t.dataset, old, t.columns, t.waiting))
+        {
+            fail("Cannot write to table '" + named.first + "' of the history file");
+        }
+        t.waiting.clear();
+    }
+}
+
 void Foam::fsbi::historyFile::stopStreaming()
 {
     if (streaming_)
     {
+        writeWaiting();
         tables_.clear();
         handle_.close();
         handle_ = hdf::open(file_);
@@ -268,13 +287,8 @@ void Foam::fsbi::historyFile::append
             << t.lastTime << " to " << time << exit(FatalError);
     }
 
-    const hdf::quiet silence;
-    std::vector<double> values{time};
-    values.insert(values.end(), row.begin(), row.end());
-    if (!hdf::addRow(t.dataset, t.rows, values))
-    {
-        fail("Cannot write to table '" + path + "' of the history file");
-    }
+    t.waiting.push_back(time);
+    t.waiting.insert(t.waiting.end(), row.begin(), row.end());
     ++t.rows;
     t.lastTime = time;
 }
@@ -314,6 +328,7 @@ void Foam::fsbi::historyFile::flush()
             fail("Cannot start writing the history file");
         }
     }
+    writeWaiting();
     if (H5Fflush(handle_, H5F_SCOPE_LOCAL) < 0)
     {
         fail("Cannot write the history file");

@@ -8,6 +8,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "Time.H"
 #include "OSspecific.H"
 
+#include <cstdlib>
+
 namespace Foam
 {
 
@@ -23,6 +25,8 @@ static fileName historyOf(const Time& time, const bool restarted)
 }
 
 } // End namespace Foam
+
+Foam::fsbi::recorder* Foam::fsbi::recorder::open_ = nullptr;
 
 
 Foam::fsbi::recorder::recorder
@@ -47,6 +51,15 @@ Foam::fsbi::recorder::recorder
     }
     history_.flush();           // readable from now on
     openSeries();
+    open_ = this;
+    static const int registered = std::atexit(flushAtExit);
+    (void)registered;
+}
+
+
+Foam::fsbi::recorder::~recorder()
+{
+    flushAtExit();
 }
 
 
@@ -284,4 +297,63 @@ void Foam::fsbi::recorder::openSeries(const word& body, const string& columns)
     series_.append(new OFstream(folder/body + ".dat"));
     series_.last().precision(10);
     series_.last() << "# time " << columns.c_str() << nl;
+}
+
+
+void Foam::fsbi::recorder::append(const stepControl& steps)
+{
+    auto timer = scene_.clocks().measure("output");
+    appendBodies();
+    if (solvesFlow())
+    {
+        appendStresslets();
+    }
+    if (scene_.effects())
+    {
+        appendEffects();
+    }
+    if (scene_.carried())
+    {
+        scene_.carried()->record(ofSpecies_);
+    }
+    appendPassages();
+    appendFlow();
+    appendCost();
+    steps_.accept(steps.gap(), steps.limit());
+    // steps by a table of resistances take less time than writing one to files
+    if (steps.saveDue() || sinceFlush_.elapsedTime() > 0.2)
+    {
+        flush();
+    }
+}
+
+
+void Foam::fsbi::recorder::reject(const outcome& step)
+{
+    steps_.reject(step.reason);
+    flush();                    // it may be the last thing a run says
+}
+
+
+void Foam::fsbi::recorder::flush()
+{
+    open_ = nullptr;            // not again if it ends in a fatal error
+    history_.flush();
+    for (OFstream& os : series_)
+    {
+        stepSeries::flush(os);
+    }
+    steps_.flush();
+    sinceFlush_.resetTime();
+    open_ = this;
+}
+
+
+void Foam::fsbi::recorder::flushAtExit()
+{
+    if (open_)
+    {
+        open_->flush();
+        open_ = nullptr;
+    }
 }

@@ -79,7 +79,7 @@ void Foam::fsbi::recorder::appendSeries
     add(angular(s.velocity));
     add(linear(s.load));
     add(angular(s.load));
-    finishRow(os);
+    os << nl;
 }
 
 
@@ -113,14 +113,7 @@ void Foam::fsbi::recorder::appendSeries
             << shape.volume << ' ' << a.x() << ' ' << a.y() << ' ' << a.z()
             << ' ' << e.x() << ' ' << e.y() << ' ' << e.z();
     }
-    finishRow(os);
-}
-
-
-void Foam::fsbi::recorder::finishRow(OFstream& os) const
-{
-    os << endl;
-    stepSeries::check(os);
+    os << nl;
 }
 
 
@@ -308,37 +301,4 @@ void Foam::fsbi::recorder::appendBodies()
         }
         ++series;
     }
-}
-
-
-void Foam::fsbi::recorder::append
-(
-    const Foam::string& limit, const scalar gap
-)
-{
-    auto timer = scene_.clocks().measure("output");
-    appendBodies();
-    if (solvesFlow())
-    {
-        appendStresslets();
-    }
-    if (scene_.effects())
-    {
-        appendEffects();
-    }
-    if (scene_.carried())
-    {
-        scene_.carried()->record(ofSpecies_);
-    }
-    appendPassages();
-    appendFlow();
-    appendCost();
-    history_.flush();
-    steps_.accept(gap, limit);
-}
-
-
-void Foam::fsbi::recorder::reject(const outcome& step)
-{
-    steps_.reject(step.reason);
 }

@@ -44,8 +44,9 @@ Foam::fsbi::stepSeries::stepSeries(const Time& time, scene& scene)
 }
 
 
-void Foam::fsbi::stepSeries::check(const OFstream& os)
+void Foam::fsbi::stepSeries::flush(OFstream& os)
 {
+    os.flush();
     if (!os.good())
     {
         FatalErrorInFunction
@@ -73,8 +74,7 @@ void Foam::fsbi::stepSeries::writeStep
     {
         *steps_ << '-';
     }
-    *steps_ << ' ' << reason.c_str() << endl;
-    check(steps_());
+    *steps_ << ' ' << reason.c_str() << nl;
 }
 
 
@@ -93,8 +93,7 @@ void Foam::fsbi::stepSeries::accept
     {
         *seconds_ << ' ' << scene_.clocks().seconds(part);
     }
-    *seconds_ << ' ' << scene_.clocks().total() << endl;
-    check(seconds_());
+    *seconds_ << ' ' << scene_.clocks().total() << nl;
 }
 
 
@@ -103,5 +102,15 @@ void Foam::fsbi::stepSeries::reject(const Foam::string& reason)
     if (Pstream::master())
     {
         writeStep("rejected", GREAT, reason);
+    }
+}
+
+
+void Foam::fsbi::stepSeries::flush()
+{
+    if (Pstream::master())
+    {
+        flush(*steps_);
+        flush(*seconds_);
     }
 }

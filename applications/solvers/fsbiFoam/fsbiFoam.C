@@ -119,7 +119,7 @@ int main(int argc, char *argv[])
 
         scene.endStep();
         steps.accept(scene);
-        history.append(steps.limit(), steps.gap());
+        history.append(steps);
         states.writeWhenDue(scene, steps);
         functions.execute(steps.saveDue());
     }

@@ -28,12 +28,18 @@ static const fileName events("bonds/events");
 
 
 // Row n of the position: its time n, then n^2, -n, 1/(n + 1)
+static void append(historyFile& history, const label n)
+{
+    history.append(position, n, scalarList({n*scalar(n), -scalar(n), 1.0/(n + 1)}));
+    history.append(events, n, scalarList({scalar(n % 7)}));
+}
+
+
 static void write(historyFile& history, const label from, const label to)
 {
     for (label n = from; n <= to; ++n)
     {
-        history.append(position, n, scalarList({n*scalar(n), -scalar(n), 1.0/(n + 1)}));
-        history.append(events, n, scalarList({scalar(n % 7)}));
+        append(history, n);
         history.flush();
     }
 }
@@ -105,6 +111,41 @@ static void testWriteAndContinue(fsbi::checks& checks, const fileName& file)
     (
         "no handle of HDF5 is left open",
         H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_ALL) == 0
+    );
+}
+
+
+// Rows of many steps in one piece, larger than a chunk of the file; a new table
+// between
+static void testTogether(fsbi::checks& checks, const fileName& file)
+{
+    {
+        historyFile history(file, 0);
+        declare(history);
+        label n = 0;
+        const auto upTo = [&](const label end)
+        {
+            while (n < end)
+            {
+                append(history, n++);
+            }
+        };
+        upTo(3);
+        history.flush();
+        upTo(5003);
+        checks.check("rows that wait are counted", history.rows(position) == 5003);
+        checks.check("and wait", column(file, position, 0).size() == 3);
+        history.declare("late/table", {"a"}, "-");
+        upTo(5010);
+        history.flush();
+        history.flush();
+    }
+    checks.check
+    (
+        "rows of many steps come to the file together",
+        sound(file) && column(file, position, 0).size() == 5010
+     && column(file, events, 1).size() == 5010
+     && column(file, events, 1)[5009] == 5009 % 7
     );
 }
 
@@ -192,6 +233,7 @@ int main()
 
     testKill(checks, scratch/"kill.h5");
     testWriteAndContinue(checks, scratch/"folder/history.h5");
+    testTogether(checks, scratch/"together.h5");
     testRefusals(checks, scratch/"refuse.h5");
 
     rmDir(scratch);

@@ -4,6 +4,7 @@
 
     tables.py same CASE CASE            tables of resistances, to the last bit
     tables.py without CASE TEXT ...     no table of the history is called so
+    tables.py rows CASE NUMBER          so many steps are in the history and the text
 """
 
 import sys
@@ -32,4 +33,11 @@ def without(case, *texts):
     assert not [n for n in found if any(t in n for t in texts)]
 
 
-{"same": same, "without": without}[sys.argv[1]](*sys.argv[2:])
+def rows(case, number):
+    with h5py.File(f"{case}/postProcessing/history.h5", swmr=True) as file:
+        assert len(file["bodies/a/position"]) == int(number), len(file["bodies/a/position"])
+    with open(f"{case}/postProcessing/bodies/0/a.dat") as text:
+        assert len(text.readlines()) == int(number) + 1     # with that of the columns
+
+
+{"same": same, "without": without, "rows": rows}[sys.argv[1]](*sys.argv[2:])
