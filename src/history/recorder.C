@@ -52,8 +52,7 @@ Foam::fsbi::recorder::recorder
     history_.flush();           // readable from now on
     openSeries();
     open_ = this;
-    static const int registered = std::atexit(flushAtExit);
-    (void)registered;
+    std::atexit(flushAtExit);
 }
 
 
