@@ -185,12 +185,14 @@ void Foam::fsbi::recorder::appendHistory(const solidRegion& body)
     }
     if (scene_.hasFluid())
     {
-        const equivalentEllipsoid shape(body.surface().placedSurface());
+        const bodySurface surface(body.surface().placedSurface());
+        const equivalentEllipsoid shape(surface);
         add("fluidForce", body.fluidForce());
         add("tether", body.tether());
         history_.append(path/"volume", t, scalarList(1, shape.volume));
         add("semiAxes", shape.axes);
         add("longestAxis", shape.directions.x());
+        add("extents", surface.bounds().span());
     }
     for (const word& patch : body.heldPatches())
     {

@@ -7,18 +7,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "untrapped.H"
 #include "Time.H"
 
-namespace Foam
-{
-namespace fsbi
-{
-
-//- Of a liquid, as part of it, from which on it is told
-static const scalar mostVolumeChange = 0.02;
-
-} // End namespace fsbi
-} // End namespace Foam
-
-
 Foam::scalar Foam::fsbi::solidRegion::fastestFrequency() const
 {
     scalar modulus = 0;
@@ -258,26 +246,6 @@ void Foam::fsbi::solidRegion::setMeasures()
         volumes_, material_->density(), centres_ + u, motion_->velocity(u)
     );
     warning_ = warningOf(measures_);
-    if (wetted_ && material_->flows() && warning_.empty())
-    {
-        warning_ = volumeWarning();
-    }
-}
-
-
-Foam::string Foam::fsbi::solidRegion::volumeWarning() const
-{
-    const scalar change =
-        wetted_->placedSurface().volume()/wetted_->volume() - 1;
-    return
-        mag(change) < mostVolumeChange
-      ? string()
-      : string
-        (
-            "its volume has changed by " + Foam::name(100*change)
-          + " %, which a liquid's does not: finer triangles, or 'loads faces'"
-            " in its cortex"
-        );
 }
 
 

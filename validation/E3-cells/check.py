@@ -1,15 +1,16 @@
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cells with a cortex against small_deformation.py and capsule_in_strain.py; write
-results.csv."""
+"""Cells with a cortex against small_deformation.py, capsule_in_strain.py and
+measurements; write results.csv."""
 
+import os
 import sys
 
 import numpy as np
 from capsule_in_strain import CapsuleInStrain
 from small_deformation import COS, WEIGHT, capsule, curvature, deformation, laplace_stretch
 
-from fsbi.case import Case
+from fsbi.case import Case, reference
 from fsbi.results import Results
 
 quick = sys.argv[1:2] == ["true"]
@@ -97,9 +98,10 @@ def stretching_theory():
         results.add("stretched_resolution_abs", coarse, fine, 1e-3, variant=name)
 
 
-def stretched(name, edge, variant=None):
+def stretched(name, edge, loads="", variant=None):
     """At the end, and on the way at half a time of the flow; the error at the end."""
-    run = Case(f"runs/stretched{variant or name + str(edge)}")
+    variant = variant or f"{name}{edge}{loads}"
+    run = Case(f"runs/stretched{variant}")
     theory = CapsuleInStrain(STRETCHED[name][2], *STRETCHED[name][:2])
     time, D, _ = run.shape("cell")
     time = time * PULL
@@ -108,7 +110,7 @@ def stretched(name, edge, variant=None):
     steady = theory.steady()
     if variant == "Thick":              # slower, to the same shape
         way, end = None, theory.taylor(steady)
-    label = dict(variant=variant or f"{name}{edge}")
+    label = dict(variant=variant)
     # bound: the mesh's, with edges over radii of curvature as they are when stretched
     bound = 0.005 * (edge / 0.1)**2 * theory.sharpness(steady) + BOX
     results.add("stretched", D[-1], end, bound, seconds=run.seconds, cells=run.cells, **label)
@@ -123,9 +125,9 @@ def stretched(name, edge, variant=None):
     axes = run.history["elasticBodies/cell/semiAxes"]
     results.add("stretched_roundness", axes["middle"][-1], axes["shortest"][-1], bound * end,
                 **label)
-    if variant != "Corners":
-        volume = run.history["elasticBodies/cell/volume"]["now"][-1]
-        results.add("stretched_volume", volume, 4 / 3 * np.pi * RADIUS**3, bound * end, **label)
+    volume = run.history["elasticBodies/cell/volume"]["now"][-1]
+    # bound: solved to 1e-6 of what the flow does, in each of 60 to 80 steps
+    results.add("stretched_volume", volume, 4 / 3 * np.pi * RADIUS**3, 1e-4, **label)
     return D[-1] / end - 1
 
 
@@ -136,12 +138,35 @@ def stretching():
         order = np.log(errors[0] / errors[-1]) / np.log(edges[0] / edges[-1])
         # bound: order 2; half of one for the few meshes
         results.at_least("stretched_order", order, 1.5, variant=name)
-    stretched("Skalak", 0.3, "Corners")
-    with open("runs/stretchedCorners/log.fsbiFoam", encoding="utf-8") as log:
-        told = "its volume has changed by" in log.read()
-    # bound: with loads at corners it loses more than the 2 % that are told
-    results.at_least("volume_told", float(told), 1)
-    stretched("Rubber", 0.4, "Thick")
+        for edge in edges[quick:]:
+            stretched(name, edge, "Corners")
+    stretched("Rubber", 0.4, variant="Thick")
+
+
+def tweezers():
+    """Diameters of a red cell by the force that pulls at it, within the scatter of measured
+    ones."""
+    run = Case("runs/tweezers")
+    force = 1000 * run.history["effects/opticalTweezers/right/force"]["x"]      # pN
+    lengths = run.history["elasticBodies/redCell/extents"]
+    for row in reference(os.path.join(os.environ["FSBI_DIR"],
+                                      "tutorials/redCellStretched/measured.csv")):
+        if row["force"] > force[-1]:
+            break
+        for name, direction in (("axial", "x"), ("transverse", "y")):
+            if quick and name == "transverse":
+                continue                # not met, see README.md
+            # bound: the error bars of the measurement
+            middle = (row[name + "High"] + row[name + "Low"]) / 2
+            results.add(f"red_cell_{name}", np.interp(row["force"], force, lengths[direction]),
+                        middle, row[name + "High"] / middle - 1,
+                        variant=f"{row['force']:.0f}pN", cells=run.cells)
+    area = run.history["elasticBodies/redCell/cortex"]["area"]
+    # bound: the force over a circumference of pi 4 um, by the area modulus
+    results.add("red_cell_area", area[-1], area[0], force[-1] / 1000 / (4 * np.pi) / 0.1)
+    volume = run.history["elasticBodies/redCell/volume"]["now"]
+    # bound: as of capsules
+    results.add("red_cell_volume", volume[-1], volume[0], 1e-4)
 
 
 def red_cell():
@@ -191,6 +216,7 @@ def main():
     in_shear("bent", *capsule(1, "Skalak", 50, 150, 2.5, 5), more=0.24 * EDGE**2)
     in_shear("closed", *capsule(1, "Skalak", 50, 150, 2.5))
     stretching()
+    tweezers()
     red_cell()
     whole = shape("whole")
     # bound: a restart knows all

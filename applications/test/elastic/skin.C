@@ -211,6 +211,28 @@ static void checkDerivatives(checks& c, const fvMesh& mesh)
 }
 
 
+//- Volume within the surface as it is displaced, less the one before
+static scalar growth(const elasticCase& body)
+{
+    const fvMesh& mesh = body.mesh;
+    const pointField x(mesh.points() + body.elastic->vertexDisplacement());
+    scalar volume = -sum(mesh.V().field());
+    for (label i = mesh.nInternalFaces(); i < mesh.nFaces(); ++i)
+    {
+        const face& f = mesh.faces()[i];
+        volume += (x[f[0]] & f.areaNormal(x))/3;
+    }
+    return volume;
+}
+
+
+static scalar pressureRows(const elasticCase& body, const scalarList& r)
+{
+    const label n = body.elastic->ownedVertices().size();
+    return sum(SubList<scalar>(r, n, body.elastic->firstJointRow() - n));
+}
+
+
 //- In the second step after a strain of its own
 static void checkLiquid(checks& c, const fvMesh& mesh)
 {
@@ -227,6 +249,12 @@ static void checkLiquid(checks& c, const fvMesh& mesh)
     }
     scalarList r(body.x.size());
     body.elastic->residual(body.x.cdata(), body.given, r.begin());
+    // bound: round-off
+    c.checkBelow
+    (
+        "rows of a liquid's pressures add up to what its surface has grown by",
+        mag(pressureRows(body, r) - growth(body)), 1e-14
+    );
     body.elastic->endStep();
     body.elastic->beginStep(0.1, 0.2, false);
     c.checkBelow

@@ -48,6 +48,11 @@ Foam::fsbi::cortex::cortex
          || kinds[i] == solidBoundary::coupled;
     }
     reduce(closed_, andOp<bool>());
+    for (const element& t : elements_)
+    {
+        restVolume3_ += volume3(t, mesh.points());
+    }
+    reduce(restVolume3_, sumOp<scalar>());
     if (entries.choice("loads", {"corners", "faces"}, "corners") == "faces")
     {
         measureCorners(dict);
@@ -205,17 +210,14 @@ void Foam::fsbi::cortex::smoothToFaces(acting& force) const
 
 Foam::fsbi::cortex::acting Foam::fsbi::cortex::forces(const vectorField& u)
 {
-    acting force{vectorField(u.size(), Zero), vectorField(nFaces_, Zero)};
+    acting force{vectorField(u.size(), Zero), vectorField(nFaces_, Zero), 0};
+    const pointField x(mesh_.points() + u);
     valid_ = true;
     vector2D sums(Zero);        // -f.x, 3 V
     for (element& t : elements_)
     {
-        const auto at = [&](const label i)
-        {
-            return mesh_.points()[t.corners[i]] + u[t.corners[i]];
-        };
-        t.e1 = at(1) - at(0);
-        t.e2 = at(2) - at(0);
+        t.e1 = x[t.corners[1]] - x[t.corners[0]];
+        t.e2 = x[t.corners[2]] - x[t.corners[0]];
         const scalar m11 = magSqr(t.e1), m22 = magSqr(t.e2);
         const scalar m12 = t.e1 & t.e2;
         const scalar d = t.overDet*(m11*m22 - sqr(m12));
@@ -234,16 +236,20 @@ Foam::fsbi::cortex::acting Foam::fsbi::cortex::forces(const vectorField& u)
         t.slope = slopeOf(t);
         pull(t, t.slope, force.vertices);
         sums.x() += (t.slope.e1 & t.e1) + (t.slope.e2 & t.e2);
-        sums.y() += 0.5*(at(0) & (t.e1 ^ t.e2));
+        sums.y() += volume3(t, x);
     }
     if (bending_)
     {
-        sums.x() += bending_->addForces(mesh_.points() + u, force.vertices);
+        sums.x() += bending_->addForces(x, force.vertices);
         valid_ &= bending_->valid();
     }
     reduce(sums, sumOp<vector2D>());
     volume3_ = sums.y();
-    pressure_ = closed_ ? sums.x()/volume3_ : 0;
+    if (closed_)
+    {
+        pressure_ = sums.x()/volume3_;
+        force.growth = volume3_/restVolume3_ - 1;
+    }
     for (const element& t : elements_)
     {
         shift(t, 0.5*pressure_*(t.e1 ^ t.e2), force);
@@ -262,7 +268,7 @@ Foam::fsbi::cortex::acting Foam::fsbi::cortex::tangent
     const vectorField& du
 ) const
 {
-    acting force{vectorField(du.size(), Zero), vectorField(nFaces_, Zero)};
+    acting force{vectorField(du.size(), Zero), vectorField(nFaces_, Zero), 0};
     vector2D sums(Zero);
     const auto edge = [&](const element& t, const label i)
     {
@@ -289,6 +295,7 @@ Foam::fsbi::cortex::acting Foam::fsbi::cortex::tangent
     if (closed_)
     {
         reduce(sums, sumOp<vector2D>());
+        force.growth = sums.y()/restVolume3_;
         const scalar dp = (sums.x() - pressure_*sums.y())/volume3_;
         for (const element& t : elements_)
         {

@@ -302,6 +302,11 @@ void Foam::fsbi::secondOrderElastic::residual
             boundaryForce_[g] = atGhosts[g];
         }
     }
+    scalar growth = 0;
+    if (cortex_)
+    {
+        growth = addCortex(cortex_->forces(atVertices(values_)), r);
+    }
     if (mixed_)
     {
         scalarField volume(stencil_.vertices().size());
@@ -309,11 +314,8 @@ void Foam::fsbi::secondOrderElastic::residual
         {
             volume[v] = state_.volumeChange(v);
         }
+        setMeanGrowth(growth, volume);
         addPressures(volume, state_.pressure(), r);
-    }
-    if (cortex_)
-    {
-        addCortex(cortex_->forces(atVertices(values_)), r);
     }
 }
 
@@ -364,13 +366,15 @@ void Foam::fsbi::secondOrderElastic::applyJacobian(const scalar* dx, scalar* dr)
         }
     }
     boundary_.addRows(dValues_, dGradient_, dBoundaryForce_, atGhosts, dr);
-    if (mixed_)
-    {
-        addPressures(volume, dPressure_, dr);
-    }
+    scalar growth = 0;
     if (cortex_)
     {
-        addCortex(cortex_->tangent(atVertices(dValues_)), dr);
+        growth = addCortex(cortex_->tangent(atVertices(dValues_)), dr);
+    }
+    if (mixed_)
+    {
+        setMeanGrowth(growth, volume);
+        addPressures(volume, dPressure_, dr);
     }
 }
 

@@ -29,7 +29,26 @@ Foam::vector Foam::fsbi::secondOrderElastic::flowingTangent
 }
 
 
-void Foam::fsbi::secondOrderElastic::addCortex
+void Foam::fsbi::secondOrderElastic::setMeanGrowth
+(
+    const scalar growth, scalarField& volume
+) const
+{
+    if (!material_.flows() || !cortex_ || !cortex_->closed())
+    {
+        return;
+    }
+    vector2D sums(Zero);        // of volume, and stress-free
+    for (const label v : ownedVertices_)
+    {
+        sums += stencil_.vertexVolume()[v]*vector2D(volume[v], 1);
+    }
+    reduce(sums, sumOp<vector2D>());
+    volume += growth - sums.x()/sums.y();
+}
+
+
+Foam::scalar Foam::fsbi::secondOrderElastic::addCortex
 (
     cortex::acting forces, scalar* r
 ) const
@@ -42,4 +61,5 @@ void Foam::fsbi::secondOrderElastic::addCortex
         rows[i] -= cells[i];
     }
     boundary_.addLoad(forces.faces, r);
+    return forces.growth;
 }
