@@ -228,7 +228,7 @@ Foam::DynamicList<Foam::fsbi::boundaryTriangle>
 Foam::fsbi::conformalMesher::boundaryOf
 (
     const UList<bodySurface>& bodies,
-    const bodySurface& walls,
+    const domainBoundary& walls,
     const gmshModel& model,
     meshLists& mesh
 ) const
@@ -250,11 +250,11 @@ Foam::fsbi::conformalMesher::boundaryOf
     }
     if (outline_.curved())
     {
-        forAll(walls.triangles(), i)
+        forAll(walls.patches, i)
         {
-            const triFace& t = walls.triangles()[i];
+            const triFace& t = walls.surface.triangles()[i];
             const triFace f(t[0] + offset, t[1] + offset, t[2] + offset);
-            boundary.append({f, wallPatches_[i], -1});
+            boundary.append({f, walls.patches[i], -1});
         }
     }
     else
@@ -287,9 +287,16 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
     {
         model.addSurface(body);
     }
+    domainBoundary curved;
     if (outline_.curved())
     {
-        model.addSurface(walls);
+        // far away they are as the background has them
+        curved = refinedFor
+        (
+            [&](const point& p) { return size.besideBodies(p); },
+            {walls, walls_.patches}
+        );
+        model.addSurface(curved.surface);
     }
     else
     {
@@ -315,7 +322,7 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
 
     assembleMesh
     (
-        mesh, std::move(tetrahedra), boundaryOf(bodies, walls, model, mesh),
+        mesh, std::move(tetrahedra), boundaryOf(bodies, curved, model, mesh),
         domain_.boundaryMesh().size() + bodies.size()
     );
     cyclics_.order(mesh);
@@ -401,7 +408,7 @@ Foam::fsbi::conformalMesher::conformalMesher
     controls_(remeshDict),
     outline_(domain),
     cyclics_(domain, outline_),
-    walls_(outline_.triangulation(wallPatches_)),
+    walls_(outline_.triangulation()),
     cellsTold_(0)
 {}
 
@@ -418,15 +425,15 @@ Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::conformalMesher::refined
     // nothing holds the flow back at an open patch
     DynamicList<point> corners;
     DynamicList<triFace> walls;
-    forAll(wallPatches_, i)
+    forAll(walls_.patches, i)
     {
-        if (isA<wallPolyPatch>(domain_.boundaryMesh()[wallPatches_[i]]))
+        if (isA<wallPolyPatch>(domain_.boundaryMesh()[walls_.patches[i]]))
         {
             const label n = corners.size();
             walls.append(triFace(n, n + 1, n + 2));
-            for (const label p : walls_.triangles()[i])
+            for (const label p : walls_.surface.triangles()[i])
             {
-                corners.append(walls_.points()[p] + shift);
+                corners.append(walls_.surface.points()[p] + shift);
             }
         }
     }
@@ -443,10 +450,10 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
     const scalar finestEdge
 ) const
 {
-    const scalar unit = unitOf(walls_.bounds(), exact);
+    const scalar unit = unitOf(walls_.surface.bounds(), exact);
     const List<bodySurface> bodies(rounded(exact, unit));
     const vector shift(rounded(exactShift, unit));
-    const bodySurface walls(walls_.transformed(tensor::I, shift));
+    const bodySurface walls(walls_.surface.transformed(tensor::I, shift));
     outcome possible(placed(bodyNames, exact, walls.bounds()));
     if (possible)
     {
@@ -517,7 +524,10 @@ Foam::fsbi::outcome Foam::fsbi::conformalMesher::placed
     const vector& shift
 ) const
 {
-    return placed(names, bodies, walls_.transformed(tensor::I, shift).bounds());
+    return placed
+    (
+        names, bodies, walls_.surface.transformed(tensor::I, shift).bounds()
+    );
 }
 
 
@@ -538,8 +548,8 @@ Foam::fsbi::sizeFunction Foam::fsbi::conformalMesher::sizes
     (
         new sizeField
         (
-            domain_, shift, walls_.transformed(tensor::I, shift), bodies,
-            cyclics_.translations(), controls
+            domain_, shift, walls_.surface.transformed(tensor::I, shift),
+            bodies, cyclics_.translations(), controls
         )
     );
     return [size](const point& p) { return (*size)(p); };

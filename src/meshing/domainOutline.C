@@ -271,10 +271,7 @@ Foam::fsbi::domainOutline::domainOutline(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::fsbi::bodySurface Foam::fsbi::domainOutline::triangulation
-(
-    labelList& patches
-) const
+Foam::fsbi::domainBoundary Foam::fsbi::domainOutline::triangulation() const
 {
     const primitivePatch boundary
     (
@@ -305,6 +302,9 @@ Foam::fsbi::bodySurface Foam::fsbi::domainOutline::triangulation
             patchOf.append(patchi);
         }
     }
-    patches.transfer(patchOf);
-    return bodySurface(boundary.localPoints(), triangles);
+    return
+    {
+        bodySurface(boundary.localPoints(), triangles),
+        labelList(std::move(patchOf))
+    };
 }

@@ -76,16 +76,44 @@ static face renumbered(const face& f, const labelList& localPoint)
 }
 
 
-static void refuseCyclic(const meshLists& whole)
+// The smallest cell of those that cyclic faces join, directly or by others
+static label first(labelList& joined, label cell)
 {
-    for (const dictionary& dict : whole.patchDicts)
+    while (joined[cell] != cell)
     {
-        if (dict.get<word>("type") == "cyclic")
+        joined[cell] = joined[joined[cell]];
+        cell = joined[cell];
+    }
+    return cell;
+}
+
+
+// Both halves of a pair of cyclic patches are local then, in the same order
+static void keepCyclicTogether(const meshLists& whole, labelList& rank)
+{
+    labelList joined(identity(rank.size()));
+    forAll(whole.patchDicts, patchi)
+    {
+        if (whole.patchDicts[patchi].get<word>("type") != "cyclic")
         {
-            FatalErrorInFunction
-                << "Cyclic patches work on one processor only; run in serial"
-                << exit(FatalError);
+            continue;
         }
+        const label other = whole.patchNames.find
+        (
+            whole.patchDicts[patchi].get<word>("neighbourPatch")
+        );
+        for (label i = 0; i < whole.patchSizes[patchi]; ++i)
+        {
+            const label a =
+                first(joined, whole.owner[whole.patchStarts[patchi] + i]);
+            const label b =
+                first(joined, whole.owner[whole.patchStarts[other] + i]);
+            joined[max(a, b)] = min(a, b);
+        }
+    }
+    forAll(rank, c)
+    {
+        rank[c] = rank[first(joined, c)];
     }
 }
 
@@ -196,7 +224,6 @@ void Foam::fsbi::meshDistribution::select
     mesh.patchDicts = whole.patchDicts;
     mesh.bodyPoints = whole.bodyPoints;
     mesh.failure = whole.failure;
-    refuseCyclic(whole);
     labelList localCell, localPoint;
     selectCells(whole, cellRank, me, localCell, localPoint);
     growingFaces part;
@@ -331,5 +358,6 @@ Foam::labelList Foam::fsbi::meshDistribution::bisect
             centres, SubList<label>(order, order.size()), 0, nRanks, rank
         );
     }
+    keepCyclicTogether(whole, rank);
     return rank;
 }

@@ -14,7 +14,8 @@ Foam::fsbi::redGreen::redGreen
 :
     project_(project),
     points_(points),
-    triangles_(triangles)
+    triangles_(triangles),
+    origins_(identity(triangles.size()))
 {
     forAll(points, p)
     {
@@ -66,6 +67,10 @@ void Foam::fsbi::redGreen::cut(const label trianglei)
     triangles_.append(triFace(t[0], ab, ca));
     triangles_.append(triFace(ab, t[1], bc));
     triangles_.append(triFace(ca, bc, t[2]));
+    for (label part = 0; part < 3; ++part)
+    {
+        origins_.append(label(origins_[trianglei]));
+    }
 }
 
 
@@ -94,11 +99,17 @@ void Foam::fsbi::redGreen::split(const UList<bool>& marked)
 }
 
 
-Foam::List<Foam::triFace> Foam::fsbi::redGreen::conforming() const
+Foam::List<Foam::triFace> Foam::fsbi::redGreen::conforming
+(
+    labelList* origins
+) const
 {
     DynamicList<triFace> result(triangles_.size());
-    for (const triFace& t : triangles_)
+    DynamicList<label> from(triangles_.size());
+    forAll(triangles_, trianglei)
     {
+        const triFace& t = triangles_[trianglei];
+        from.append(origins_[trianglei]);
         label side = -1, m = -1;
         for (label i = 0; i < 3 && m < 0; ++i)
         {
@@ -113,6 +124,11 @@ Foam::List<Foam::triFace> Foam::fsbi::redGreen::conforming() const
         const label a = t[side], b = t[(side + 1) % 3], c = t[(side + 2) % 3];
         result.append(triFace(a, m, c));
         result.append(triFace(m, b, c));
+        from.append(origins_[trianglei]);
+    }
+    if (origins)
+    {
+        origins->transfer(from);
     }
     return List<triFace>(std::move(result));
 }

@@ -147,6 +147,13 @@ Foam::fsbi::sizeField::sizeField
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalar Foam::fsbi::sizeField::besideBodies(const point& p) const
+{
+    const scalar h = operator()(p);
+    return h < farSize(p) ? h : GREAT;
+}
+
+
 Foam::scalarField Foam::fsbi::sizeField::pointSizes(const bodySurface& surface)
 {
     const pointField& points = surface.points();

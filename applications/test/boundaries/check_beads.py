@@ -19,3 +19,6 @@ for case in sys.argv[1:]:
         sys.exit(f"{case}: the bead turns with {omega}")
 if abs(turns[0]/turns[1] - 1) > 0.01:
     sys.exit(f"{turns}: the place matters")
+# solved to 1e-9
+if np.abs(np.array(turns[2:])/turns[1] - 1).max() > 1e-7:
+    sys.exit(f"{turns}: the number of processes matters")

@@ -89,6 +89,29 @@ static void checkUnits(checks& c)
 }
 
 
+//- Longest edge of a patch's triangles nearer to a point than this
+static scalar longestEdge
+(
+    const meshLists& mesh, const label patchi, const point& p, const scalar near
+)
+{
+    scalar longest = 0;
+    const label start = mesh.patchStarts[patchi];
+    for (label f = start; f < start + mesh.patchSizes[patchi]; ++f)
+    {
+        const face& tri = mesh.faces[f];
+        if (mag(tri.centre(mesh.points) - p) < near)
+        {
+            for (const edge& e : tri.edges())
+            {
+                longest = max(longest, e.mag(mesh.points));
+            }
+        }
+    }
+    return longest;
+}
+
+
 static void checkGaps(checks& c)
 {
     boxScene wall;
@@ -97,20 +120,11 @@ static void checkGaps(checks& c)
     checkMesh(c, "gap to the wall", wall, mesh);
 
     // the wall under the body is as fine as the gap asks for
-    scalar longest = 0;
-    const label start = mesh.patchStarts[2];
-    for (label f = start; f < start + mesh.patchSizes[2]; ++f)
-    {
-        const face& tri = mesh.faces[f];
-        if (mag(tri.centre(mesh.points)) < 0.2)
-        {
-            for (const edge& e : tri.edges())
-            {
-                longest = max(longest, e.mag(mesh.points));
-            }
-        }
-    }
-    c.checkBelow("gap to the wall: the wall is fine", longest, 0.12);
+    c.checkBelow
+    (
+        "gap to the wall: the wall is fine",
+        longestEdge(mesh, 2, Zero, 0.2), 0.12
+    );
 
     boxScene pair;
     const bodySurface sphere(shape("type sphere; radius 1;", 0.15));
@@ -157,13 +171,42 @@ static void checkCurved(checks& c)
         }
     );
     s.add(shape("type sphere; radius 1;", 0.25), point(0, 0, 3));
-    const meshLists mesh(s.generate());
+    // nothing small is wanted at the walls
+    const meshLists mesh(s.generate("growth 0.5; cellsPerGap 1;"));
     checkMesh(c, "curved walls", s, mesh);
     c.check
     (
         "curved walls: the given faces are kept",
         mesh.valid() && mesh.patchSizes[2] == 4*(10*8 + 10*10)
     );
+
+    s.bodies.clear();
+    s.names.clear();
+    s.add(shape("type sphere; radius 1;", 0.15), point(0, 0, 1.1));
+    const meshLists near(s.generate());
+    checkMesh(c, "gap to a curved wall", s, near);
+    // bound: 1.5 times the smallest size, 0.4 of the body's edges
+    c.checkBelow
+    (
+        "gap to a curved wall: it is fine there",
+        longestEdge(near, 2, Zero, 0.2), 1.5*0.4*0.15
+    );
+    c.checkClose
+    (
+        "gap to a curved wall: not elsewhere",
+        longestEdge(near, 2, point(-4, -4, 3), 1),
+        longestEdge(mesh, 2, point(-4, -4, 3), 1), 1e-10
+    );
+    autoPtr<fvMesh> fine(s.fluid(near)), coarse(s.fluid(mesh));
+    for (label patchi = 0; patchi < 3; ++patchi)
+    {
+        c.checkClose
+        (
+            "gap to a curved wall: area of a patch",
+            sum(mag(fine->boundaryMesh()[patchi].faceAreas())),
+            sum(mag(coarse->boundaryMesh()[patchi].faceAreas())), 1e-10
+        );
+    }
 }
 
 
