@@ -38,6 +38,8 @@ def broken_laws(scene, folder, said):
     if not len(run.time):
         if "Interrupted at" in said:
             return "right", "", ["no step in the time given"]
+        if run.skipped:
+            return "right", "", run.skipped
         return "silent", "no step recorded", []
     # an elastic body alone, on a mesh that is given, has a check of its own
     for law in LAWS if scene.bodies else (end,):
@@ -51,10 +53,10 @@ def broken_laws(scene, folder, said):
 def end(run):
     if (np.diff(run.time) <= 0).any():
         return "time does not increase"
-    if run.time[-1] >= run.scene.end * (1 - 1e-6):
+    if run.ended >= run.scene.end * (1 - 1e-6) or "All bodies have left" in run.said:
         return ""
     if "Interrupted at" not in run.said:
-        return f"ended at {run.time[-1]:g} of {run.scene.end:g}"
+        return f"ended at {run.ended:g} of {run.scene.end:g}"
     run.skip("interrupted before the end")
     return ""
 

@@ -43,11 +43,12 @@ def held(run):
 def left(run, body):
     """Force that the solver may leave in the balance of a body.
 
-    bound: its tolerance is of the residual's norm over all rows of the system,
-    some 1e4, of which a body has six; so a body may carry sqrt(1e4) times the
-    tolerance of what a typical row does."""
+    bound: its tolerance is of the residual's norm over all rows of the system, four
+    a cell, of which a body has six; so a body may carry the root of their number times
+    the tolerance of what a typical row does."""
     drag = theory.free(run.scene.flow.viscosity, body.a)[0]
-    return 100 * run.scene.tolerance * drag * run.typical_speed()
+    rows = max(4 * run.history["cost"]["cells"].max(), 1e4)
+    return np.sqrt(rows) * run.scene.tolerance * drag * run.typical_speed()
 
 
 def balance(run):
@@ -74,12 +75,35 @@ def rigid_balance(run, body):
                 ("velocity", "angularVelocity"), changes_of_momentum(run, body))
     for kind, fluid, effects, key, change in loads:
         forces = [fluid, run.vectors(body, f"{kind}/applied"), effects, -change]
-        rest = largest(sum(forces)[:, free(body, key)])
+        rest = np.abs(sum(forces)[:, free(body, key)]).max(axis=1, initial=0)
         arm = body.a if kind == "torque" else 1
         bound = arm * left(run, body) + 100 * run.scene.tolerance * largest(*forces)
-        if rest > bound:
-            return f"{kind}s on {body.name} sum to {rest:.3g} of {largest(*forces):.3g}"
+        if kind == "torque" and not body.overdamped:
+            bound += turned_meanwhile(run, body)
+        if (rest > bound).any():
+            return f"{kind}s on {body.name} sum to {rest.max():.3g} of {largest(*forces):.3g}"
     return ""
+
+
+def turned_meanwhile(run, body):
+    """Change of the angular momentum, over each step, by what the solution turns a body
+    on from where extrapolation has put it with its moments of inertia.
+
+    bound: turned by an angle, a tensor changes by that times the difference of its largest
+    and least eigenvalue; the weights of BDF2 are at most 2"""
+    inertia = np.linalg.eigvalsh(run.mass(body)[1])
+    spin = np.vstack([given(body, "angularVelocity"), run.spin(body)])
+    dt = run.dt[:, None]
+    constant = dt * spin[:-1]
+    linear = constant.copy()
+    linear[1:] += dt[1:]**2 / 2 * np.diff(spin[:-1], axis=0) / dt[:-1]
+    turn = run.turn(body)
+    angle = np.linalg.norm(turn - linear, axis=1)
+    # the first steps do not extrapolate, or stay
+    early = run.anew(body) | np.roll(run.anew(body), 1)
+    for other in (turn, turn - constant):
+        angle[early] = np.maximum(angle, np.linalg.norm(other, axis=1))[early]
+    return 2 * angle / run.dt * np.ptp(inertia) * np.linalg.norm(spin[1:], axis=1)
 
 
 def changes_of_momentum(run, body):

@@ -18,11 +18,29 @@ class Run:
     def __init__(self, scene, folder, said):
         self.scene, self.folder, self.said = scene, folder, said
         self.history = History(f"{folder}/postProcessing/history.h5")
+        self.skipped = []
+        self.ended = self._last("cost")
+        self._with_all()
         self.time = self.history["cost"]["time"]
         self.dt = np.diff(self.time, prepend=0.0)
         self.rigid = [b for b in scene.bodies if not b.elastic]
         self.soft = [b for b in scene.bodies if b.elastic]
-        self.skipped = []
+
+    def _with_all(self):
+        """Only the rows of times at which all bodies are in the domain."""
+        last = min((self._last(f"{self.path(b)}/{'centre' if b.elastic else 'position'}")
+                    for b in self.scene.bodies), default=self.ended)
+        if last == self.ended:
+            return
+        self.skip("a body leaves: what comes then is not judged")
+        for path in self.history.paths():
+            table = self.history[path]
+            table.array = table.array[table.array[:, 0] <= last]
+
+    def _last(self, path):
+        """Time of the last row; before all times if there is none."""
+        times = self.history[path]["time"] if path in self.history else []
+        return times[-1] if len(times) else -np.inf
 
     def skip(self, why):
         if why not in self.skipped:

@@ -89,7 +89,7 @@ static void checkUnits(checks& c)
 }
 
 
-//- Longest edge of a patch's triangles nearer to a point than this
+//- Longest edge of a patch's triangles nearer to a point than this; GREAT: none is
 static scalar longestEdge
 (
     const meshLists& mesh, const label patchi, const point& p, const scalar near
@@ -108,7 +108,7 @@ static scalar longestEdge
             }
         }
     }
-    return longest;
+    return longest > 0 ? longest : GREAT;
 }
 
 
