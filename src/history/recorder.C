@@ -240,6 +240,7 @@ void Foam::fsbi::recorder::declareElastic(const solidRegion& body)
             path/"semiAxes", {"longest", "middle", "shortest"}, "L"
         );
         history_.declare(path/"longestAxis", xyz, "-");
+        history_.declare(path/"shortestAxis", xyz, "-");
         history_.declare(path/"extents", xyz, "L");
     }
     for (const word& patch : body.heldPatches())

@@ -192,6 +192,7 @@ void Foam::fsbi::recorder::appendHistory(const solidRegion& body)
         history_.append(path/"volume", t, scalarList(1, shape.volume));
         add("semiAxes", shape.axes);
         add("longestAxis", shape.directions.x());
+        add("shortestAxis", shape.directions.z());
         add("extents", surface.bounds().span());
     }
     for (const word& patch : body.heldPatches())

@@ -132,7 +132,7 @@ def caught(law, make, table, change):
     run = recorded(make)
     before = judge(run)
     if change is None:
-        run.time = run.time[:-1]
+        run.ended = run.time[-2]
     else:
         change(run.history[table].array[:, 1:])
     after = judge(run)

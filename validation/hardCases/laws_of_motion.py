@@ -45,8 +45,10 @@ def left(run, body):
 
     bound: its tolerance is of the residual's norm over all rows of the system, four
     a cell, of which a body has six; so a body may carry the root of their number times
-    the tolerance of what a typical row does."""
+    the tolerance of what a typical row does. Its rows are velocities by drag and inertia."""
     drag = theory.free(run.scene.flow.viscosity, body.a)[0]
+    if not (body.elastic or body.overdamped):
+        drag += 2 * run.mass(body)[0] / run.dt.min()
     rows = max(4 * run.history["cost"]["cells"].max(), 1e4)
     return np.sqrt(rows) * run.scene.tolerance * drag * run.typical_speed()
 

@@ -30,7 +30,7 @@ class Run:
         """Only the rows of times at which all bodies are in the domain."""
         last = min((self._last(f"{self.path(b)}/{'centre' if b.elastic else 'position'}")
                     for b in self.scene.bodies), default=self.ended)
-        if last == self.ended:
+        if last >= self.ended:
             return
         self.skip("a body leaves: what comes then is not judged")
         for path in self.history.paths():
