@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "domainOutline.H"
+#include "straddling.H"
 #include "primitivePatch.H"
 #include "unitConversion.H"
 #include "Map.H"
@@ -12,6 +13,49 @@ namespace Foam
 {
 namespace fsbi
 {
+
+//- Patches are bent where faces meet at less, in degrees
+static const scalar featureAngle = 30;
+
+
+//- Where the first of the triangles of a face has its first corner. One of four
+//  points is cut so that a cell of these four would lie outside; along its shorter
+//  diagonal if it is plane
+static label firstCorner(const face& f, const pointField& p)
+{
+    if (f.size() != 4)
+    {
+        return 0;
+    }
+    const vector a(p[f[2]] - p[f[0]]), b(p[f[3]] - p[f[1]]);
+    const vector n(a ^ b);
+    const scalar fold = ((p[f[1]] - p[f[0]]) ^ a) & (p[f[3]] - p[f[0]]);
+    if (mag(fold) > 1e-4*mag(n)*sqrt(mag(n)))
+    {
+        return fold > 0 ? 0 : 1;
+    }
+    return mag(b) < mag(a) ? 1 : 0;
+}
+
+
+static List<triFace> cutFaces(const faceList& faces, const pointField& p)
+{
+    DynamicList<triFace> triangles;
+    for (const face& f : faces)
+    {
+        const label n = f.size();
+        const label first = firstCorner(f, p);
+        for (label i = 1; i + 1 < n; ++i)
+        {
+            triangles.append
+            (
+                triFace(f[first], f[(first + i) % n], f[(first + i + 1) % n])
+            );
+        }
+    }
+    return List<triFace>(std::move(triangles));
+}
+
 
 // The edges of the boundary between different pieces
 struct outlineEdges
@@ -98,7 +142,7 @@ void Foam::fsbi::domainOutline::joinAcross
     const label offset = patch.start() - mesh_.nInternalFaces();
     const vectorField& normals = patch.faceNormals();
     const scalar almostFlat = Foam::cos(degToRad(1e-4));
-    const scalar feature = Foam::cos(degToRad(30.0));
+    const scalar feature = Foam::cos(degToRad(featureAngle));
 
     while (front.size())
     {
@@ -281,30 +325,30 @@ Foam::fsbi::domainBoundary Foam::fsbi::domainOutline::triangulation() const
         ),
         mesh_.points()
     );
-    DynamicList<triFace> triangles;
-    DynamicList<label> patchOf;
+    labelList patches;
+    bool quadrilaterals = true;
     forAll(boundary, facei)
     {
-        const label patchi =
-            mesh_.boundaryMesh().whichPatch(facei + mesh_.nInternalFaces());
-        const face& f = boundary.localFaces()[facei];
-        // a quadrilateral along its shorter diagonal
-        const pointField& p = boundary.localPoints();
-        const label n = f.size();
-        const label first =
-            n == 4 && mag(p[f[1]] - p[f[3]]) < mag(p[f[0]] - p[f[2]]) ? 1 : 0;
-        for (label i = 1; i + 1 < n; ++i)
-        {
-            triangles.append
+        const label n = boundary.localFaces()[facei].size();
+        quadrilaterals = quadrilaterals && n == 4;
+        patches.append
+        (
+            labelList
             (
-                triFace(f[first], f[(first + i) % n], f[(first + i + 1) % n])
-            );
-            patchOf.append(patchi);
-        }
+                n - 2,
+                mesh_.boundaryMesh().whichPatch(facei + mesh_.nInternalFaces())
+            )
+        );
     }
-    return
+    const faceList& faces = boundary.localFaces();
+    bodySurface surface
+    (
+        boundary.localPoints(), cutFaces(faces, boundary.localPoints())
+    );
+    if (curved_ && quadrilaterals)
     {
-        bodySurface(boundary.localPoints(), triangles),
-        labelList(std::move(patchOf))
-    };
+        const bodySurface moved(straddling(surface, patches, featureAngle));
+        surface = bodySurface(moved.points(), cutFaces(faces, moved.points()));
+    }
+    return {surface, patches};
 }

@@ -11,6 +11,9 @@ namespace Foam
 namespace fsbi
 {
 
+//- Part by which sizes may differ and be the same
+static const scalar roundOff = 1e-6;
+
 //- What gmsh is to be asked for to get cells like those of the background: the
 //  edges of hexahedra; of tetrahedra those of regular ones, over what gmsh's are
 //  longer than asked for (see bodyMesher)
@@ -150,7 +153,7 @@ Foam::fsbi::sizeField::sizeField
 Foam::scalar Foam::fsbi::sizeField::besideBodies(const point& p) const
 {
     const scalar h = operator()(p);
-    return h < farSize(p) ? h : GREAT;
+    return h < (1 - roundOff)*farSize(p) ? h : GREAT;
 }
 
 

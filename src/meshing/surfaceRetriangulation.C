@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceRetriangulation.H"
+#include "straddling.H"
 #include "surfaceParts.H"
 #include "surfaceRemesher.H"
 
@@ -11,63 +12,6 @@ namespace Foam
 {
 namespace fsbi
 {
-
-//- The parts of a surface that meet at one of its points
-struct partsAtPoint
-{
-    struct part
-    {
-        label index;
-        vector area = Zero;
-
-        //- Times the area: how far the described surface lies outside
-        scalar outside = 0;
-    };
-
-    DynamicList<part> parts;
-
-    void add(const label index, const vector& area, const scalar distance)
-    {
-        label i = 0;
-        while (i < parts.size() && parts[i].index != index)
-        {
-            ++i;
-        }
-        if (i == parts.size())
-        {
-            parts.append(part());
-            parts[i].index = index;
-        }
-        parts[i].area += area;
-        parts[i].outside += mag(area)*distance;
-    }
-
-    scalar distance(const label i) const
-    {
-        return parts[i].outside/mag(parts[i].area);
-    }
-
-    //- The way that takes each part where it belongs
-    vector way() const
-    {
-        if (parts.size() == 1)
-        {
-            return distance(0)*normalised(parts[0].area);
-        }
-        if (parts.size() > 2)
-        {
-            return Zero;
-        }
-        const vector a(normalised(parts[0].area));
-        const vector b(normalised(parts[1].area));
-        const scalar c = a & b;
-        return
-        (
-            (distance(0) - c*distance(1))*a + (distance(1) - c*distance(0))*b
-        )/max(1 - sqr(c), SMALL);
-    }
-};
-
 
 //- How far a part of the described surface lies outside of a facet, on average:
 //  exact for one that is quadratic over it
@@ -88,32 +32,6 @@ static scalar outsideOf
             (described.nearest(middle, labelPair(part, part)) - middle) & n;
     }
     return sum/3;
-}
-
-
-//- Points moved so that facets lie on the described surface on average
-static void straddle
-(
-    pointField& points,
-    const List<triFace>& triangles,
-    const labelUList& parts,
-    const surfaceParts& described
-)
-{
-    List<partsAtPoint> at(points.size());
-    forAll(triangles, i)
-    {
-        const triFace& t = triangles[i];
-        const scalar distance = outsideOf(points, t, parts[i], described);
-        for (const label p : t)
-        {
-            at[p].add(parts[i], t.areaNormal(points), distance);
-        }
-    }
-    forAll(points, p)
-    {
-        points[p] += at[p].way();
-    }
 }
 
 } // End namespace fsbi
@@ -145,7 +63,17 @@ Foam::fsbi::bodySurface Foam::fsbi::retriangulated
     pointField points(even.points());
     for (label sweep = 0; sweep < sweeps; ++sweep)
     {
-        straddle(points, even.triangles(), remesher.parts(), described);
+        const pointField now(points);
+        straddle
+        (
+            points, even.triangles(), remesher.parts(), [&](const label i)
+            {
+                return outsideOf
+                (
+                    now, even.triangles()[i], remesher.parts()[i], described
+                );
+            }
+        );
     }
     newPatches.setSize(remesher.parts().size());
     forAll(newPatches, i)

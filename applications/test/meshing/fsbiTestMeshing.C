@@ -167,13 +167,19 @@ static void checkCurved(checks& c)
         "patch",
         [](const point& p)
         {
-            return point(p.x(), p.y(), p.z() + 0.02*sqr(p.x()));
+            const scalar r = 10 + p.z(), angle = p.x()/12;
+            return point(r*Foam::sin(angle), p.y(), r*Foam::cos(angle) - 10);
         }
     );
+    const scalar volume = 0.5*(sqr(16.0) - sqr(10.0))*(8.0/12)*8;
+    // bound: chords would cut off a^2/6 of angles a of 1/15, 7e-4; of that a quarter, as
+    // two of ten lie at the ends, where normals are one facet's
+    const scalar ofFacets = sqr(1.0/15)/24;
+
     s.add(shape("type sphere; radius 1;", 0.25), point(0, 0, 3));
     // nothing small is wanted at the walls
     const meshLists mesh(s.generate("growth 0.5; cellsPerGap 1;"));
-    checkMesh(c, "curved walls", s, mesh);
+    checkMesh(c, "curved walls", s, mesh, volume, ofFacets);
     c.check
     (
         "curved walls: the given faces are kept",
@@ -184,7 +190,7 @@ static void checkCurved(checks& c)
     s.names.clear();
     s.add(shape("type sphere; radius 1;", 0.15), point(0, 0, 1.1));
     const meshLists near(s.generate());
-    checkMesh(c, "gap to a curved wall", s, near);
+    checkMesh(c, "gap to a curved wall", s, near, volume, ofFacets);
     // bound: 1.5 times the smallest size, 0.4 of the body's edges
     c.checkBelow
     (
