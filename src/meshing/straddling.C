@@ -11,6 +11,10 @@ namespace Foam
 namespace fsbi
 {
 
+//- Cosine between normals of parts that only their patches tell apart
+static const scalar smooth = 0.9;
+
+
 //- The parts of a surface that meet at one of its points
 struct partsAtPoint
 {
@@ -68,10 +72,17 @@ struct partsAtPoint
         const vector a(normalised(parts[0].normals));
         const vector b(normalised(parts[1].normals));
         const scalar c = a & b;
+        if (c > smooth)
+        {
+            return
+                (parts[0].outside + parts[1].outside)
+               /(parts[0].angle + parts[1].angle)
+               *normalised(parts[0].normals + parts[1].normals);
+        }
         return
         (
             (distance(0) - c*distance(1))*a + (distance(1) - c*distance(0))*b
-        )/max(1 - sqr(c), SMALL);
+        )/(1 - sqr(c));
     }
 };
 

@@ -35,8 +35,9 @@ class Run(Case):
 def main():
     for run in (Run(run.folder) for run in cases("runs/*_*_*_*_*")):
         name, exact = EXACT[run.way]
-        results.add(name, run.found, exact(run.width, *TERMS.get(run.width, ())), BOUND[run.edge], variant=run.variant,
-                    seconds=run.processor_seconds, cells=run.cells)
+        results.add(name, run.found, exact(run.width, *TERMS.get(run.width, ())),
+                    BOUND[run.edge], variant=run.variant, seconds=run.processor_seconds,
+                    cells=run.cells)
     # bound: theory, Haberman and Sayre's tables as Happel and Brenner print them
     # (table 7-3.1), to their last digit where their series has converged
     for radius, k1, k2 in ((0.1, 1.263, 1.255), (0.2, 1.680, 1.635), (0.3, 2.371, 2.231)):
