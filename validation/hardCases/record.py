@@ -27,11 +27,13 @@ class Run:
         self.soft = [b for b in scene.bodies if b.elastic]
 
     def _with_all(self):
-        """Only the rows of times at which all bodies are in the domain."""
-        last = min((self._last(f"{self.path(b)}/{'centre' if b.elastic else 'position'}")
-                    for b in self.scene.bodies), default=self.ended)
-        if last >= self.ended:
+        """Only the rows before the first body has left, as the run has told."""
+        gone = [b for b in self.scene.bodies
+                if f"Body '{b.name}' leaves through patch" in self.said]
+        if not gone:
             return
+        last = min(self._last(f"{self.path(b)}/{'centre' if b.elastic else 'position'}")
+                   for b in gone)
         self.skip("a body leaves: what comes then is not judged")
         for path in self.history.paths():
             table = self.history[path]
