@@ -1,19 +1,23 @@
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drag of a sphere at Reynolds numbers 1 to 100 against finite elements (sphere_drag.py);
-write results.csv."""
+"""Drag of a sphere at Reynolds numbers 1 to 100 against finite elements (sphere_drag.py), and
+lift on a sphere in a square channel (lift_in_channel.py); write results.csv."""
 
 import csv
 import math
 import sys
 
-from fsbi.case import Case
+import numpy as np
+
+from fsbi.case import Case, reference as table
 from fsbi.convergence import order_of_three
 from fsbi.results import Results
 
 BODY, RADIUS = "tumourCell", 8
 quick = sys.argv[1:2] == ["true"]
 EDGES = {1: (0.3, 0.2, 0.133), 20: (0.3, 0.2, 0.133), 100: (0.2, 0.14, 0.1)}
+HEIGHTS = (0.08, 0.16, 0.24, 0.32)      # over the channel's width
+LIFT = 0.8**2 * 12.5**4 / 50**2         # density Um^2 d^4/H^2
 results = Results("E1")
 
 
@@ -65,10 +69,75 @@ def moving():
     results.add("parallel_difference_abs", abs(parallel / moved - 1).max(), 0, 2e-3, procs=2)
 
 
+def left(coarse, fine, edges):
+    """Error that a value has left: see steady()."""
+    return abs(fine - coarse) / ((edges[-2] / edges[-1])**1.7 - 1)
+
+
+def lift(name):
+    """Coefficient, and the run."""
+    run = Case(f"runs/{name}")
+    return run.force("cell")[-1, 1] / LIFT, run
+
+
+def lift_references():
+    """Coefficients by height on the last two meshes of finite elements."""
+    rows = [row for row in table("lift_in_channel.csv") if row["Re"] > 0]
+    return {height: [row["lift"] for row in rows if row["height"] == height][-2:]
+            for height in HEIGHTS}
+
+
+def focus(lifts):
+    """Height at which the cubic through all lifts vanishes between the outer two."""
+    roots = np.roots(np.polyfit(HEIGHTS, lifts, 3))
+    between = [root.real for root in roots
+               if abs(root.imag) < 1e-9 and HEIGHTS[-2] < root.real < HEIGHTS[-1]]
+    return between[0] if between else math.nan
+
+
+def lifts(edges, heights):
+    references, found = lift_references(), []
+    for height in heights:
+        coarse, fine = (lift(f"lift{height}_{edge}")[0] for edge in edges[-2:])
+        run = lift(f"lift{height}_{edges[-1]}")[1]
+        before, exact = references[height]
+        # bound: what the run has left, as the drag, and the reference's own error, its change
+        # with edges 1.4 times as long: what second order has left, it should be of third
+        results.add("lift_abs", fine, exact, left(coarse, fine, edges) + abs(exact - before),
+                    variant=f"y{height}", seconds=run.seconds, cells=run.cells)
+        found.append((coarse, fine))
+    if len(heights) == len(HEIGHTS):
+        coarse, fine = (focus(values) for values in zip(*found))
+        before, exact = (focus(values) for values in zip(*references.values()))
+        # bound: the same
+        results.add("focusing_abs", fine, exact,
+                    left(coarse, fine, edges) + abs(exact - before))
+
+
+def lift_without_convection(edges):
+    """Stokes flow may be run backwards: no lift. What there is, is the mesh's error."""
+    values = [lift(f"stokes0.24_{edge}")[0] for edge in edges]
+    run = lift(f"stokes0.24_{edges[-1]}")[1]
+    # bound: what the change between meshes leaves
+    results.add("lift_Stokes_abs", values[-1], 0, left(values[-2], values[-1], edges),
+                seconds=run.seconds, cells=run.cells)
+    if len(edges) > 2:
+        # bound: as of the drag
+        results.at_least("lift_Stokes_order", math.log(abs(values[0] / values[-1]))
+                         / math.log(edges[0] / edges[-1]), 1.7)
+
+
+def inertial_lift():
+    edges = (0.3, 0.2) if quick else (0.3, 0.2, 0.15)
+    lifts(edges, HEIGHTS[2:3] if quick else HEIGHTS)
+    lift_without_convection(edges)
+
+
 def main():
     for number in (1, 20) if quick else (1, 20, 100):
         steady(number, EDGES[number][:2] if quick else EDGES[number])
     moving()
+    inertial_lift()
     results.write()
 
 
