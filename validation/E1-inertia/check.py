@@ -114,7 +114,7 @@ def lifts(edges, heights):
                     left(coarse, fine, edges) + abs(exact - before))
 
 
-def lift_without_convection(edges):
+def lift_without_inertia(edges):
     """Stokes flow may be run backwards: no lift. What there is, is the mesh's error."""
     values = [lift(f"stokes0.24_{edge}")[0] for edge in edges]
     run = lift(f"stokes0.24_{edges[-1]}")[1]
@@ -130,7 +130,7 @@ def lift_without_convection(edges):
 def inertial_lift():
     edges = (0.3, 0.2) if quick else (0.3, 0.2, 0.15)
     lifts(edges, HEIGHTS[2:3] if quick else HEIGHTS)
-    lift_without_convection(edges)
+    lift_without_inertia(edges)
 
 
 def main():
