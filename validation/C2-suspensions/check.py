@@ -1,129 +1,142 @@
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drag of periodic arrays, viscosity that a sphere between walls adds; write results.csv.
+"""Drag of a cubic array and viscosity of a suspension; write results.csv.
 
-Viscosity, radius, force per volume and shear are 1.
+Superficial velocity: the mean of the fluid's velocity over the whole cube, spheres at
+rest in it. Drag: with that of the mean gradient of the pressure, which the force per
+volume stands for; the force of the fluid in the history is that of the periodic part.
+Mean shear stress of a suspension, exactly: viscosity times rate of shear, plus the
+stresslet over the volume (Batchelor, J. Fluid Mech. 41, 1970). Of the fluid beside a
+wall it is the slope of the mean velocity, as there is neither body nor mean gradient.
 """
 
 import csv
-import math
-import re
+import glob
+import os
 import sys
 
 import numpy as np
 
-from fsbi.case import Case
-from fsbi.convergence import order_of_three
+from fsbi import fields
+from fsbi.case import Case, cases
+from fsbi.convergence import overall_order, richardson
 from fsbi.results import Results
 
-EDGES = (0.2, 0.14, 0.1)
-# Drag over 6 pi mu a U of simple cubic arrays: A. A. Zick, G. M. Homsy, J. Fluid Mech.
-# 115 (1982) 13, their table
-PUBLISHED = {0.027: 2.008, 0.125: 4.292, 0.343: 15.4}
-WIDTHS = (5, 7, 10)
-# What its own digits are worth: it changes so much with its parameters
-REFERENCE_ERROR = 2e-4
-SPHERE = 4 * math.pi / 3
-quick = sys.argv[1:2] == ["true"]
-edges = EDGES[1:2] if quick else EDGES
+SPHERE = 4 / 3 * np.pi
+# Zick and Homsy, J. Fluid Mech. 115 (1982), table 2, and half of its last digit
+TABLE = {0.027: (2.008, 5e-4), 0.125: (4.292, 5e-4), 0.343: (15.4, 5e-2)}
 results = Results("C2")
 
 
-def references(kind, column="value"):
-    with open("reference.csv", newline="") as file:
-        rows = csv.DictReader(line for line in file if not line.startswith("#"))
-        return {float(row["of"]): float(row[column]) for row in rows if row["kind"] == kind}
+class Run(Case):
+    def __init__(self, folder):
+        super().__init__(folder)
+        _, of, edge = os.path.basename(folder).split("_")
+        self.of, self.edge = float(of), float(edge)
+        self.cost = dict(seconds=self.processor_seconds, cells=self.cells,
+                         variant=f"{of}_edge{edge}")
+
+    def field(self, name):
+        path, = glob.glob(f"{self.folder}/*[1-9]/fluid/{name}")
+        return fields.internal(path)
+
+    def slope(self):
+        """Of the mean velocity over the distance to the walls, over that of the shear;
+        the weight is zero where bodies begin, so that no cell is cut there."""
+        u, volume, z = self.field("U")[:, 0], self.field("V")[:, 0], self.field("C")[:, 2]
+        half, clear = self.of / 2, 1.2
+        weight = volume * np.maximum(abs(z) - clear, 0)**2
+        return np.sum(weight * (half - np.sign(z) * u)) / np.sum(weight * (half - abs(z)))
 
 
-def values_of(run, name):
-    """A field's values in cells, by an ASCII file of the last time."""
-    with open(f"{run.folder}/1/fluid/{name}") as file:
-        inside = re.search(r"nonuniform List<\w+>\s*\d+\s*\((.*?)\n\)", file.read(), re.S)
-    rows = inside.group(1).replace("(", "").replace(")", "").split("\n")
-    return np.array([[float(c) for c in row.split()] for row in rows if row])
+def reference():
+    with open("reference.csv") as file:
+        rows = csv.DictReader(line for line in file if line[0] != "#")
+        return {(r["kind"], float(r["of"])): (float(r["value"]), float(r["spin"])) for r in rows}
 
 
-def left(values):
-    """Error that the last of these still has, if the order is 1.7: second on meshes that
-    are not similar."""
-    ratio = EDGES[-2] / EDGES[-1]
-    return abs(values[-2] / values[-1] - 1) / (ratio**1.7 - 1)
+def order(name, runs, errors, of):
+    if len(runs) > 2:
+        # bound: order 2; half of one for meshes that are not similar
+        results.at_least(name, overall_order([r.edge for r in runs], np.abs(errors)), 1.5,
+                         variant=f"{of:g}")
 
 
-def array_drag(phi, edge):
-    """Over 6 pi mu a U, with U the mean velocity of the cube; and the run."""
-    run = Case(f"runs/array_{phi}_{edge}")
-    cube = SPHERE / phi
-    mean = (values_of(run, "V")[:, 0] * values_of(run, "U")[:, 0]).sum() / cube
-    # the mean gradient of pressure acts on the sphere, too
-    return cube / (6 * math.pi * mean), run
+def array(exact, phi, runs):
+    errors = []
+    for run in runs:
+        volume = SPHERE / phi
+        mean = np.sum(run.field("V") * run.field("U")[:, :1]) / volume
+        total = run.force("sphere")[-1, 0] + SPHERE
+        drag = total / (6 * np.pi * mean)
+        # bound: asked for, 1 % on edges of 0.2 radii; on finer ones by order 2
+        results.add("array_drag", drag, exact, 0.01 * (run.edge / 0.2)**2, **run.cost)
+        # bound: solved to 1e-8 of the force per volume; facets enclose the sphere's volume
+        results.add("array_balance", total, volume, 1e-6, variant=run.cost["variant"])
+        errors.append(drag / exact - 1)
+    order("array_drag_order", runs, errors, phi)
 
 
-def arrays(phi):
-    found = [array_drag(phi, edge) for edge in edges]
-    drags = [drag for drag, _ in found]
-    run = found[0][1]
-    own = references("array")[phi]
-    # bound: asked for, on edges as a sphere has them by default; smaller ones must do better
-    results.add("drag", drags[0], own, 1e-2, variant=f"{phi}_edge{edges[0]}",
-                seconds=run.seconds, cells=run.cells)
-    # bound: the sphere bears what acts on the fluid, to the solver's tolerance of 1e-8
-    results.add("force_over_volume", run.force("sphere")[-1, 0], SPHERE / phi - SPHERE, 1e-6,
-                variant=f"{phi}")
-    if quick:
-        return
-    run = found[-1][1]
-    for name, exact, digits in (("drag", own, REFERENCE_ERROR),
-                                ("drag_published", PUBLISHED[phi], 5e-4 if phi < 0.3 else 3e-3)):
-        # bound: what is left, and the reference's last digit
-        results.add(name, drags[-1], exact, left(drags) + digits, variant=f"{phi}_edge{edges[-1]}",
-                    seconds=run.seconds, cells=run.cells)
-    # bound: see left()
-    results.at_least("drag_order", order_of_three(EDGES, drags), 1.7, variant=f"{phi}")
+def shear(exact, width, runs):
+    """Coefficients of the volume fraction by the body on all meshes."""
+    found = []
+    for run in runs:
+        # bound: as of the stresslet in B1, 1 % at 12 edges a radius, order 2
+        bound = 0.01 * (12 * run.edge)**2
+        body = run.history["bodies/sphere/stresslet"]["xz"][-1] / (2.5 * SPHERE)
+        walls = (run.slope() - 1) * width**3 / (2.5 * SPHERE)
+        results.add("viscosity_by_body", 2.5 * body, 2.5 * exact[0], bound, **run.cost)
+        results.add("viscosity_by_walls", 2.5 * walls, 2.5 * exact[0], bound, **run.cost)
+        # bound: both of these
+        results.add("walls_and_body", walls, body, 2 * bound, variant=run.cost["variant"])
+        # bound: of order 2, 1 % on edges of 0.2 radii
+        results.add("spin", run.spin("sphere")[-1, 1] / 0.5, exact[1],
+                    0.01 * (run.edge / 0.2)**2, variant=run.cost["variant"])
+        found.append(2.5 * body)
+    order("viscosity_by_body_order", runs, np.array(found) / 2.5 / exact[0] - 1, width)
+    return found
 
 
-def stresslet(run):
-    """xz over that of a sphere alone."""
-    return run.history["bodies/sphere/stresslet"].array[-1, 3] / (10 / 3 * math.pi)
+def dilute(widths, coefficients):
+    """At no volume fraction: reflections at a cube's walls and images are of its first
+    power, those that see gradients of strain of 5/3."""
+    phi = SPHERE / np.array(widths)**3
+    return np.linalg.solve(np.column_stack([phi**0, phi, phi**(5 / 3)]), coefficients)[0]
 
 
-def walls(width):
-    """The viscosity added is 2.5 times the volume fraction times this."""
-    runs = [Case(f"runs/walls_{width}_{edge}") for edge in edges]
-    found = [stresslet(run) for run in runs]
-    spins = [run.spin("sphere")[-1, 1] / 0.5 for run in runs]
-    variant = f"width{width}_edge{edges[-1]}"
-    # bound: what is left, as above; on one mesh what a sphere's stresslet far from walls is
-    # low by on edges of 0.2, 1.7 %; its part in the spin is a smaller one
-    bound = 2e-2 if quick else left(found) + REFERENCE_ERROR
-    results.add("stresslet", found[-1], references("walls")[width], bound, variant=variant,
-                seconds=runs[-1].seconds, cells=runs[-1].cells)
-    results.add("spin", spins[-1], references("walls", "spin")[width],
-                1e-2 if quick else left(spins) + REFERENCE_ERROR, variant=variant)
-    return found[-1]
-
-
-def einstein(last):
+def einstein(exact, found, edges):
+    widths = sorted(found)
+    theory = dilute(widths, [2.5 * exact["walls", w][0] for w in widths])
+    # bound: what is left out is of phi^2, 1e-3 in the narrowest box, with a factor of
+    # the size of 5 (cubic arrays: Nunan and Keller, J. Fluid Mech. 142, 1984)
+    results.add("einstein_of_computation", theory, 2.5, 5e-3)
+    limits = [richardson(edges, found[w]) for w in widths]
+    for i, edge in enumerate(edges):
+        # bound: that of the mesh, and of what is left out
+        results.add("einstein_on_mesh", dilute(widths, [found[w][i] for w in widths]), 2.5,
+                    0.01 * (12 * edge)**2 + 5e-3, variant=f"edge{edge:g}")
     # bound: asked for
-    results.add("coefficient", 2.5 * last, 2.5, 2e-2, variant=f"width{WIDTHS[-1]}")
+    results.add("einstein", dilute(widths, limits), 2.5, 0.02, variant="edges to 0")
 
 
-def own_reference():
-    """Series and table must agree for the former to be believed."""
-    own = references("array")
-    for phi, exact in PUBLISHED.items():
-        # bound: half of the table's last digit, and twice that for what it was rounded from
-        results.add("reference_drag", own[phi], exact, 1e-3 if phi < 0.3 else 4e-3,
-                    variant=f"{phi}")
+def by_case(kind):
+    groups = {}
+    for run in (Run(case.folder) for case in cases(f"runs/{kind}_*")):
+        groups.setdefault(run.of, []).append(run)
+    return {of: sorted(groups[of], key=lambda r: -r.edge) for of in sorted(groups)}
 
 
 def main():
-    for phi in (0.125,) if quick else PUBLISHED:
-        arrays(phi)
-    added = [walls(width) for width in (WIDTHS[:1] if quick else WIDTHS)]
-    if not quick:
-        einstein(added[-1])
-        own_reference()
+    exact = reference()
+    for phi, (printed, half_digit) in TABLE.items():
+        # bound: their last digit
+        results.add("table_abs", exact["array", phi][0], printed, half_digit, variant=f"{phi}")
+    for phi, runs in by_case("array").items():
+        array(exact["array", phi][0], phi, runs)
+    groups = by_case("walls")
+    found = {width: shear(exact["walls", width], width, runs) for width, runs in groups.items()}
+    if sys.argv[1:2] != ["true"]:
+        einstein(exact, found, [run.edge for run in groups[5.0]])
     results.write()
 
 
