@@ -1,3 +1,4 @@
+#!/usr/bin/python3
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Stokes flow around one sphere of radius 1 in a cube with itself at its sides.
@@ -14,7 +15,7 @@ lattice does to them is taken back by flows between two planes, exact for every 
 along the walls. Nothing but Stokes' equations is in common with fsbiFoam. Digits that
 do not change with `sources`, `depth` and `waves` are right. Viscosity 1.
 
-    python3 periodic_flow.py    # writes reference.csv
+    periodic_flow.py            # writes reference.csv
 """
 
 import sys
@@ -50,7 +51,7 @@ def grid_of(reach):
 
 
 def far_part(x, y, box, xi):
-    k = 2 * np.pi / box * grid_of(8)
+    k = 2 * np.pi / box * grid_of(6)
     k = k[np.any(k != 0, axis=1)]
     k2 = np.sum(k * k, axis=1)
     size = (1 + k2 / (4 * xi * xi)) / k2**2 * np.exp(-k2 / (4 * xi * xi))
@@ -70,7 +71,7 @@ def lattice(x, y, box):
     blocks = far_part(x, y, box, xi)
     d = x[:, None] - y[None]
     d -= box * np.round(d / box)
-    for image in box * grid_of(2):
+    for image in box * grid_of(1):
         blocks += near_part(d + image, xi)
     return flat(blocks) / (8 * np.pi)
 
@@ -84,12 +85,21 @@ def least_squares(matrix, given):
     return np.linalg.lstsq(matrix, given, rcond=1e-13)[0]
 
 
-def array_drag(phi, sources=200, depth=0.65):
+def mirrored(x):
+    """Places of forces in all octants, and the signs of their components in a flow
+    along x: one that turns round when it is seen in a mirror across it."""
+    for sign in np.array(np.meshgrid(*[(1, -1)] * 3)).reshape(3, 8).T:
+        yield x * sign, np.array([1, sign[0] * sign[1], sign[0] * sign[2]])
+
+
+def array_drag(phi, sources=1200, depth=0.82):
     box = (4 * np.pi / (3 * phi))**(1 / 3)
-    points, forces = on_sphere(2 * sources), depth * on_sphere(sources)
+    points, forces = (x[np.all(x > 0, axis=1)] for x in
+                      (on_sphere(2 * sources), depth * on_sphere(sources)))
+    matrix = sum(lattice(points, y, box) * np.tile(sign, len(y)) for y, sign in mirrored(forces))
     given = np.tile([-1.0, 0, 0], len(points))
-    strength = least_squares(lattice(points, forces, box), given).reshape(-1, 3)
-    return -strength[:, 0].sum() / (6 * np.pi)
+    strength = least_squares(matrix, given).reshape(-1, 3)
+    return -8 * strength[:, 0].sum() / (6 * np.pi)
 
 
 class Walls:
@@ -141,7 +151,7 @@ def cross(x):
                      np.stack([x[:, 1], -x[:, 0], o], -1)], 1)
 
 
-def between_walls(box, sources=120, depth=0.6, waves=12):
+def between_walls(box, sources=160, depth=0.65, waves=14):
     """In a shear flow z along x."""
     points, forces = on_sphere(2 * sources), depth * on_sphere(sources)
     walls = Walls(box, waves)
