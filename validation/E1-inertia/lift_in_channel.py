@@ -12,18 +12,19 @@ forces are residuals of momentum, tested with motions of the surface. Both ends 
 developed profile, as in the runs. Lengths over the width H, velocities over that on the
 axis, lift coefficient F/(rho Um^2 d^4/H^2) (Di Carlo et al., Phys. Rev. Lett. 102, 2009).
 
-Usage: /usr/bin/python3 lift_in_channel.py [edges on the sphere over its radius ...]
+Usage, after . etc/bashrc:
+    /usr/bin/python3 lift_in_channel.py [edges on the sphere over its radius ...]
 """
 
 import sys
 
-import gmsh
 import numpy as np
 import ufl
 from dolfinx import fem
-from dolfinx.io import gmshio
 from mpi4py import MPI
 from petsc4py import PETSc
+
+from fsbi.finite_elements import outside, taylor_hood
 
 REYNOLDS = 40           # rho Um H/mu
 RADIUS = 0.125
@@ -32,30 +33,11 @@ HEIGHTS = (0.08, 0.16, 0.24, 0.32)
 
 
 def mesh(height, edge):
-    """Half a channel around the sphere, finer at it and where it is near a wall."""
-    gmsh.initialize()
-    gmsh.option.setNumber("General.Terminal", 0)
-    occ = gmsh.model.occ
-    room = occ.addBox(-HALF_LENGTH, -0.5, 0, 2 * HALF_LENGTH, 1, 0.5)
-    occ.cut([(3, room)], [(3, occ.addSphere(0, height, 0, RADIUS))])
-    occ.synchronize()
-    gmsh.model.addPhysicalGroup(3, [tag for _, tag in gmsh.model.getEntities(3)], 1)
+    """Half a channel around the sphere, finer at it."""
     distance = f"(Sqrt(x*x + (y-{height})*(y-{height}) + z*z) - {RADIUS})"
-    field = gmsh.model.mesh.field
-    size = field.add("MathEval")
-    field.setString(size, "F", f"{edge} * ({RADIUS} + 0.8 * {distance})")
-    coarsest = field.add("MathEval")
-    field.setString(coarsest, "F", f"{0.6 * edge}")
-    least = field.add("Min")
-    field.setNumbers(least, "FieldsList", [size, coarsest])
-    field.setAsBackgroundMesh(least)
-    for option in ("FromPoints", "ExtendFromBoundary", "FromCurvature"):
-        gmsh.option.setNumber(f"Mesh.MeshSize{option}", 0)
-    gmsh.model.mesh.generate(3)
-    gmsh.model.mesh.setOrder(2)
-    result = gmshio.model_to_mesh(gmsh.model, MPI.COMM_WORLD, 0, gdim=3)[0]
-    gmsh.finalize()
-    return result
+    return outside(lambda occ: occ.addBox(-HALF_LENGTH, -0.5, 0, 2 * HALF_LENGTH, 1, 0.5),
+                   lambda occ: occ.addSphere(0, height, 0, RADIUS), 3,
+                   f"{edge} * ({RADIUS} + 0.8 * {distance})", f"{0.6 * edge}")
 
 
 def developed(x):
@@ -76,10 +58,7 @@ class Channel:
 
     def __init__(self, height, edge, convection):
         domain = mesh(height, edge)
-        cell = domain.ufl_cell()
-        element = ufl.MixedElement(
-            ufl.VectorElement("CG", cell, 2), ufl.FiniteElement("CG", cell, 1))
-        self.space = fem.FunctionSpace(domain, element)
+        self.space = taylor_hood(domain)
         self.velocity, self.places = self.space.sub(0).collapse()
         self.speed = fem.Constant(domain, PETSc.ScalarType(0))
         self.spin = 0.0
@@ -164,7 +143,8 @@ class Channel:
         return product.array.copy()
 
     def correct(self):
-        """One correction by Newton's method of flow, velocity and spin; its size."""
+        """One correction by Newton's method of flow, velocity and spin; its size, without
+        pressures, whose constant is held by next to nothing."""
         rows = fem.petsc.assemble_vector(self.rows).array.copy()
         none = np.zeros_like(rows)
         steps = [self.solve(-rows, none), self.solve(-self.change_by_speed, self.along),
@@ -177,7 +157,7 @@ class Channel:
         self.state.x.array[:] += step
         self.speed.value += change[0]
         self.spin += change[1]
-        return max(abs(step))
+        return max(abs(step[self.places]))
 
     def lift(self):
         """Coefficient; velocity and spin are solved for, too."""

@@ -7,20 +7,21 @@ sphere_drag.csv, which check.py reads. Needs python3-dolfinx and python3-gmsh.
 The domain is a cylinder from 20 radii before the sphere to 40 behind it, of the same cross
 section as the square of 40 by 40 radii of the runs, all of it with the velocity of the flow.
 
-Usage: /usr/bin/python3 sphere_drag.py [edge on the sphere over its radius, default 0.02]
+Usage, after . etc/bashrc:
+    /usr/bin/python3 sphere_drag.py [edge on the sphere over its radius, default 0.02]
 """
 
 import math
 import sys
 
 import dolfinx
-import gmsh
 import numpy as np
 import ufl
 from dolfinx import fem
-from dolfinx.io import gmshio
 from mpi4py import MPI
 from petsc4py import PETSc
+
+from fsbi.finite_elements import outside, taylor_hood
 
 BEFORE, BEHIND, WIDE = 20, 40, 40 / math.sqrt(math.pi)
 REYNOLDS = (1, 10, 20, 50, 100)
@@ -28,40 +29,18 @@ REYNOLDS = (1, 10, 20, 50, 100)
 
 def mesh(edge):
     """Half a plane outside of the unit circle, finer at it and in its wake."""
-    gmsh.initialize()
-    gmsh.option.setNumber("General.Terminal", 0)
-    occ = gmsh.model.occ
-    room = occ.addRectangle(-BEFORE, 0, 0, BEFORE + BEHIND, WIDE)
-    occ.cut([(2, room)], [(2, occ.addDisk(0, 0, 0, 1, 1))])
-    occ.synchronize()
-    gmsh.model.addPhysicalGroup(2, [tag for _, tag in gmsh.model.getEntities(2)], 1)
-    field = gmsh.model.mesh.field
-    size = field.add("MathEval")
-    field.setString(size, "F", f"{edge} + 0.1 * (Sqrt(x*x + y*y) - 1)")
-    wake = field.add("MathEval")
     behind = "0.02 * Sqrt(x*x) + 2 * (Sqrt(x*x) - x)"
-    field.setString(wake, "F", f"{4 * edge} + {behind} + 0.3 * y")
-    least = field.add("Min")
-    field.setNumbers(least, "FieldsList", [size, wake])
-    field.setAsBackgroundMesh(least)
-    for option in ("FromPoints", "ExtendFromBoundary", "FromCurvature"):
-        gmsh.option.setNumber(f"Mesh.MeshSize{option}", 0)
-    gmsh.model.mesh.generate(2)
-    gmsh.model.mesh.setOrder(2)
-    result = gmshio.model_to_mesh(gmsh.model, MPI.COMM_WORLD, 0, gdim=2)[0]
-    gmsh.finalize()
-    return result
+    return outside(lambda occ: occ.addRectangle(-BEFORE, 0, 0, BEFORE + BEHIND, WIDE),
+                   lambda occ: occ.addDisk(0, 0, 0, 1, 1), 2,
+                   f"{edge} + 0.1 * (Sqrt(x*x + y*y) - 1)",
+                   f"{4 * edge} + {behind} + 0.3 * y")
 
 
 class Flow:
     """Steady flow of unit velocity and density along x around the unit sphere."""
 
     def __init__(self, domain):
-        cell = domain.ufl_cell()
-        element = ufl.MixedElement(
-            ufl.VectorElement("CG", cell, 2), ufl.FiniteElement("CG", cell, 1)
-        )
-        self.space = fem.FunctionSpace(domain, element)
+        self.space = taylor_hood(domain)
         self.mu = fem.Constant(domain, PETSc.ScalarType(1))
         self.state = fem.Function(self.space)
         u, p = ufl.split(self.state)

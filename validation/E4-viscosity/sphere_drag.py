@@ -9,19 +9,19 @@ Lengths in radii of the sphere, its velocity is 1. The drag is over 6 pi m, m be
 viscosity at rest (Carreau) or the consistency (power law). Tubes: `narrow`, of radius 2 and
 12 long, and `wide`, of radius and half length 100, in which the drag is that without walls.
 
-Usage: /usr/bin/python3 sphere_drag.py [edge on the sphere, default 0.02]
+Usage, after . etc/bashrc: /usr/bin/python3 sphere_drag.py [edge on the sphere, default 0.02]
 """
 
 import math
 import sys
 
 import dolfinx
-import gmsh
 import numpy as np
 import ufl
 from dolfinx import fem
-from dolfinx.io import gmshio
 from mpi4py import MPI
+
+from fsbi.finite_elements import outside, taylor_hood
 
 # radius, half length, growth of edges
 TUBES = {"narrow": (2, 6, 0.03), "wide": (100, 100, 0.1)}
@@ -39,35 +39,16 @@ FLUIDS = [
 
 def mesh(edge, radius, half, growth):
     """Half a plane outside of the unit circle, finer at it."""
-    gmsh.initialize()
-    gmsh.option.setNumber("General.Terminal", 0)
-    occ = gmsh.model.occ
-    room = occ.addRectangle(-half, 0, 0, 2 * half, radius)
-    occ.cut([(2, room)], [(2, occ.addDisk(0, 0, 0, 1, 1))])
-    occ.synchronize()
-    gmsh.model.addPhysicalGroup(2, [tag for _, tag in gmsh.model.getEntities(2)], 1)
-    field = gmsh.model.mesh.field
-    size = field.add("MathEval")
-    field.setString(size, "F", f"{edge} + {growth} * (Sqrt(x*x + y*y) - 1)")
-    field.setAsBackgroundMesh(size)
-    for option in ("FromPoints", "ExtendFromBoundary", "FromCurvature"):
-        gmsh.option.setNumber(f"Mesh.MeshSize{option}", 0)
-    gmsh.model.mesh.generate(2)
-    gmsh.model.mesh.setOrder(2)
-    result = gmshio.model_to_mesh(gmsh.model, MPI.COMM_WORLD, 0, gdim=2)[0]
-    gmsh.finalize()
-    return result
+    return outside(lambda occ: occ.addRectangle(-half, 0, 0, 2 * half, radius),
+                   lambda occ: occ.addDisk(0, 0, 0, 1, 1), 2,
+                   f"{edge} + {growth} * (Sqrt(x*x + y*y) - 1)")
 
 
 class Flow:
     """Creeping flow around the unit sphere that moves along the axis."""
 
     def __init__(self, domain, radius, half):
-        cell = domain.ufl_cell()
-        element = ufl.MixedElement(
-            ufl.VectorElement("CG", cell, 2), ufl.FiniteElement("CG", cell, 1)
-        )
-        self.space = fem.FunctionSpace(domain, element)
+        self.space = taylor_hood(domain)
         self.radius = ufl.SpatialCoordinate(domain)[1]
         velocity, _ = self.space.sub(0).collapse()
         moving = fem.Function(velocity)
