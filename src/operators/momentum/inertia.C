@@ -20,6 +20,9 @@ addToRunTimeSelectionTable(momentumTerm, inertia, entries);
 //- Swept volumes over the largest cell's that are a mesh at rest
 static const scalar atRest = 1e-14;
 
+//- Travel of the domain over its size that is round-off
+static const scalar noTravel = 1e-9;
+
 static vectorField velocities(const scalarList& x)
 {
     vectorField u(x.size()/4);
@@ -218,12 +221,22 @@ void Foam::fsbi::inertia::release()
 }
 
 
+Foam::vector Foam::fsbi::inertia::travel(const pointField& from) const
+{
+    const boundBox here(mesh_.points());
+    const vector way(here.min() - boundBox(from).min());
+    return mag(way) > noTravel*here.mag() ? way : vector(Zero);
+}
+
+
 void Foam::fsbi::inertia::renew()
 {
     forAll(carried_, l)
     {
+        const vector way(travel(levels_[l].points));
+        carried_[l].moveBy(way);
         carried_[l].onto(mesh_, levels_[l].u, levels_[l].gradient);
-        levels_[l].points = mesh_.points();
+        levels_[l].points = mesh_.points() - way;
     }
     carried_.clear();
 }

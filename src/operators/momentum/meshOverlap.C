@@ -277,6 +277,13 @@ void Foam::fsbi::meshOverlap::addOverlap
 }
 
 
+void Foam::fsbi::meshOverlap::moveBy(const vector& way)
+{
+    corners_ += way;
+    centres_ += way;
+}
+
+
 void Foam::fsbi::meshOverlap::onto
 (
     const fvMesh& mesh, vectorField& u, tensorField& gradient
