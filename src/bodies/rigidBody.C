@@ -258,14 +258,14 @@ Foam::fsbi::bodySurface Foam::fsbi::rigidBody::placedSurface() const
 }
 
 
-Foam::fsbi::bodySurface Foam::fsbi::rigidBody::meshedSurface() const
+Foam::fsbi::bodySurface Foam::fsbi::rigidBody::surfaceForMesh() const
 {
-    const placement p(meshedPlacement());
+    const placement p(placementForMesh());
     return surface_.transformed(p.orientation.R(), p.centre);
 }
 
 
-Foam::fsbi::placement Foam::fsbi::rigidBody::meshedPlacement() const
+Foam::fsbi::placement Foam::fsbi::rigidBody::placementForMesh() const
 {
     return {now_.centre, shape_->round() ? quaternion::I : now_.orientation};
 }
@@ -279,7 +279,7 @@ bool Foam::fsbi::rigidBody::hasShape() const
 
 Foam::point Foam::fsbi::rigidBody::onShape(const point& p) const
 {
-    const tensor R(meshedPlacement().orientation.R());
+    const tensor R(placementForMesh().orientation.R());
     const point inShape((R.T() & (p - now_.centre)) + shapeCentre_);
     return now_.centre + (R & (shape_->project(inShape) - shapeCentre_));
 }
@@ -438,7 +438,7 @@ Foam::fsbi::sixVector Foam::fsbi::rigidBody::explicitVelocity
 Foam::fsbi::bodyRows Foam::fsbi::rigidBody::rows(const scalar time) const
 {
     bodyRows rows;
-    rows.centre = now_.centre;
+    rows.centre = meshedPlacement().centre;
     rows.radius = radius_;
     rows.rhs = applied(time);
     rows.velocity = now_.velocity;

@@ -152,7 +152,7 @@ Foam::vectorField Foam::fsbi::rollingLeukocyte::pointVelocity() const
 }
 
 
-Foam::fsbi::bodySurface Foam::fsbi::rollingLeukocyte::meshedSurface() const
+Foam::fsbi::bodySurface Foam::fsbi::rollingLeukocyte::surfaceForMesh() const
 {
     return surface_.transformed(turned_.R(), now().centre);
 }

@@ -201,7 +201,7 @@ void Foam::fsbi::surfacesApart::take
     forAll(rows, b)
     {
         // the mesh is where the step began
-        rows[b].centre = start_.rigid[b].centre;
+        rows[b].centre = start_.rigid[b].centre + rigid_[b].toImage();
         forAll(rows[b].velocity, k)
         {
             if (rows[b].free[k])

@@ -30,11 +30,10 @@ Foam::fsbi::currentSurfaces::currentSurfaces
         if (x.size())
         {
             const sixVector v(context.bodies[b].motion());
-            const point centre(context.bodies[b].placed().centre);
             surfaces_.set(b, new bodySurface(cut[b]));
             velocities_.set
             (
-                b, new vectorField(linear(v) + (angular(v) ^ (x - centre)))
+                b, new vectorField(linear(v) + (angular(v) ^ (x - centre(b))))
             );
         }
     }
@@ -57,12 +56,33 @@ const Foam::fsbi::bodySurface& Foam::fsbi::currentSurfaces::surface
 {
     if (!surfaces_.set(body))
     {
+        const immersedBody& there = context_.bodies[body];
         surfaces_.set
         (
-            body, new bodySurface(context_.bodies[body].placedSurface())
+            body,
+            new bodySurface
+            (
+                there.toImage() == vector(Zero)
+              ? there.placedSurface()
+              : there.placedSurface().transformed(tensor::I, there.toImage())
+            )
         );
     }
     return surfaces_[body];
+}
+
+
+Foam::List<Foam::vector> Foam::fsbi::currentSurfaces::ways
+(
+    const bool same
+) const
+{
+    List<vector> all(context_.images);
+    if (!same)
+    {
+        all.append(vector(Zero));
+    }
+    return all;
 }
 
 

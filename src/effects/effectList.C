@@ -99,6 +99,20 @@ Foam::wordList Foam::fsbi::effectList::names() const
 }
 
 
+Foam::wordList Foam::fsbi::effectList::confining() const
+{
+    DynamicList<word> some;
+    for (const effect& e : effects_)
+    {
+        if (!e.periodic())
+        {
+            some.append(e.type());
+        }
+    }
+    return wordList(some);
+}
+
+
 void Foam::fsbi::effectList::reportNames(Ostream& os) const
 {
     forAll(effects_, i)

@@ -20,6 +20,7 @@ static bool nearWall
     n.normal = wall.normal;
     n.nearest = n.centre - n.gap*n.normal;
     n.otherTriangle = -1;
+    n.way = Zero;
     return n.gap < reach;
 }
 
@@ -28,12 +29,13 @@ static bool nearBody
 (
     const currentSurfaces& now,
     const label other,
+    const vector& way,
     const scalar reach,
     neighbour& n
 )
 {
     currentSurfaces::nearestPoint c;
-    if (!now.find(other, n.centre, reach, c))
+    if (!now.find(other, n.centre - way, reach, c))
     {
         return false;
     }
@@ -46,7 +48,8 @@ static bool nearBody
     const scalar side = (c.normal & outwards) < 0 ? -1 : 1;
     n.gap = side*c.gap;
     n.normal = side*c.normal;
-    n.nearest = c.nearest;
+    n.nearest = c.nearest + way;
+    n.way = way;
     n.otherTriangle = c.triangle;
     return true;
 }
@@ -68,29 +71,42 @@ Foam::DynamicList<Foam::fsbi::neighbour> Foam::fsbi::neighbours
     {
         return found;
     }
-    boundBox box(boundBox::greatBox);
-    if (!now.isWall(other))
+    if (now.isWall(other))
     {
-        box = now.surface(other).bounds();
-        box.min() -= reach*vector::one;
-        box.max() += reach*vector::one;
+        forAll(now.surface(body).triangles(), t)
+        {
+            neighbour n;
+            n.triangle = t;
+            n.centre = now.centroid(body, t);
+            if (nearWall(now.wall(other), reach, n))
+            {
+                found.append(n);
+            }
+        }
+        return found;
+    }
+    for (const vector& way : now.ways(body == other))
+    {
+        boundBox box(now.surface(other).bounds());
+        box.min() += way - reach*vector::one;
+        box.max() += way + reach*vector::one;
         if (!box.overlaps(now.surface(body).bounds()))
         {
-            return found;
+            continue;
         }
-    }
-    forAll(now.surface(body).triangles(), t)
-    {
-        neighbour n;
-        n.triangle = t;
-        n.centre = now.centroid(body, t);
-        const bool near =
-            now.isWall(other)
-          ? nearWall(now.wall(other), reach, n)
-          : box.contains(n.centre) && nearBody(now, other, reach, n);
-        if (near)
+        forAll(now.surface(body).triangles(), t)
         {
-            found.append(n);
+            neighbour n;
+            n.triangle = t;
+            n.centre = now.centroid(body, t);
+            if
+            (
+                box.contains(n.centre)
+             && nearBody(now, other, way, reach, n)
+            )
+            {
+                found.append(n);
+            }
         }
     }
     return found;

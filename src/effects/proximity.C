@@ -24,10 +24,6 @@ Foam::scalar Foam::fsbi::timeToContact
     {
         for (label b = 0; b < now.size(); ++b)
         {
-            if (a == b)
-            {
-                continue;
-            }
             for (const neighbour& n : neighbours(now, a, b, reach))
             {
                 const vector v

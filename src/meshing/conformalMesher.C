@@ -14,6 +14,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "wallPolyPatch.H"
 #include "OStringStream.H"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -87,6 +88,69 @@ static List<bodySurface> rounded
     return result;
 }
 
+// All surfaces in one list of triangles, to find those that cross
+class surfacesTogether
+{
+    DynamicList<point> points_;
+    DynamicList<triFace> triangles_;
+    DynamicList<label> group_;
+
+    //- Of every surface, and what it does to another one
+    DynamicList<word> names_;
+    DynamicList<string> meets_;
+
+public:
+
+    void append
+    (
+        const bodySurface& surface, const word& name, const string& meets
+    )
+    {
+        for (const triFace& t : surface.triangles())
+        {
+            const label n = points_.size();
+            triangles_.append(triFace(t[0] + n, t[1] + n, t[2] + n));
+            group_.append(names_.size());
+        }
+        points_.append(surface.points());
+        names_.append(name);
+        meets_.append(meets);
+    }
+
+    static bool near(const UList<bodySurface>& bodies, const boundBox& box)
+    {
+        return std::any_of
+        (
+            bodies.begin(), bodies.end(),
+            [&](const bodySurface& body) { return body.bounds().overlaps(box); }
+        );
+    }
+
+    //- What crosses what, and where; empty: nothing. Triangles of the walls'
+    //  surface may touch each other
+    string crossing(const label walls) const
+    {
+        const labelPair two
+        (
+            triangleCrossing(points_, triangles_, group_, walls)
+        );
+        if (two.first() < 0)
+        {
+            return string();
+        }
+        const label a = min(group_[two.first()], group_[two.second()]);
+        const label b = max(group_[two.first()], group_[two.second()]);
+        // of an image of a body at a wall it is the image that crosses
+        const bool imageAtWall = a == walls;
+        OStringStream reason;
+        reason
+            << "Body '" << names_[imageAtWall ? b : a] << "' "
+            << meets_[imageAtWall ? a : b].c_str() << " near "
+            << triangles_[two.first()].centre(points_);
+        return reason.str();
+    }
+};
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -136,24 +200,12 @@ Foam::fsbi::outcome Foam::fsbi::conformalMesher::apart
 (
     const wordList& names,
     const UList<bodySurface>& bodies,
-    const bodySurface& walls
+    const UList<vector>& images,
+    const bodySurface& walls,
+    const bool closed
 )
 {
-    OStringStream reason;
-    DynamicList<point> points;
-    DynamicList<triFace> triangles;
-    DynamicList<label> group;
-    const auto append = [&](const bodySurface& surface, const label groupi)
-    {
-        for (const triFace& t : surface.triangles())
-        {
-            const label n = points.size();
-            triangles.append(triFace(t[0] + n, t[1] + n, t[2] + n));
-            group.append(groupi);
-        }
-        points.append(surface.points());
-    };
-
+    surfacesTogether all;
     forAll(bodies, b)
     {
         const outcome solid(bodies[b].solid("body '" + names[b] + "'"));
@@ -161,28 +213,29 @@ Foam::fsbi::outcome Foam::fsbi::conformalMesher::apart
         {
             return solid;
         }
-        append(bodies[b], b);
+        all.append(bodies[b], names[b], "overlaps body '" + names[b] + "'");
     }
-    append(walls, bodies.size());
-
-    const labelPair crossing
-    (
-        triangleCrossing(points, triangles, group, bodies.size())
-    );
-    if (crossing.first() >= 0)
+    all.append(walls, word(), "crosses the boundary of the domain");
+    forAll(bodies, b)
     {
-        const label a = min(group[crossing.first()], group[crossing.second()]);
-        const label b = max(group[crossing.first()], group[crossing.second()]);
-        reason
-            << "Body '" << names[a] << "' "
-            << (b < names.size() ? "overlaps body '" + names[b] + "'"
-              : string("crosses the boundary of the domain"))
-            << " near " << triangles[crossing.first()].centre(points)
-            << places;
-        return outcome::failed(reason.str());
+        for (const vector& image : images)
+        {
+            const bodySurface there(bodies[b].transformed(tensor::I, image));
+            if (all.near(bodies, there.bounds()))
+            {
+                all.append
+                (
+                    there, names[b],
+                    "overlaps body '" + names[b] + "' a period further"
+                );
+            }
+        }
     }
-
-    return outside(names, bodies, walls);
+    const string crossing(all.crossing(bodies.size()));
+    return
+        crossing.empty()
+      ? outside(names, bodies, walls, closed)
+      : outcome::failed(crossing + places);
 }
 
 
@@ -190,14 +243,15 @@ Foam::fsbi::outcome Foam::fsbi::conformalMesher::outside
 (
     const wordList& names,
     const UList<bodySurface>& bodies,
-    const bodySurface& walls
+    const bodySurface& walls,
+    const bool closed
 )
 {
     OStringStream reason;
     forAll(bodies, b)
     {
         const point& p = bodies[b].points()[0];
-        if (walls.winding(p) < 0.5)
+        if (closed && walls.winding(p) < 0.5)
         {
             reason
                 << "Body '" << names[b] << "' lies outside the domain, near "
@@ -228,7 +282,7 @@ Foam::DynamicList<Foam::fsbi::boundaryTriangle>
 Foam::fsbi::conformalMesher::boundaryOf
 (
     const UList<bodySurface>& bodies,
-    const domainBoundary& walls,
+    const domainBoundary& given,
     const gmshModel& model,
     meshLists& mesh
 ) const
@@ -248,16 +302,13 @@ Foam::fsbi::conformalMesher::boundaryOf
         mesh.bodyPoints.append(identity(bodies[b].points().size(), offset));
         offset += bodies[b].points().size();
     }
-    if (outline_.curved())
+    forAll(given.patches, i)
     {
-        forAll(walls.patches, i)
-        {
-            const triFace& t = walls.surface.triangles()[i];
-            const triFace f(t[0] + offset, t[1] + offset, t[2] + offset);
-            boundary.append({f, walls.patches[i], -1});
-        }
+        const triFace& t = given.surface.triangles()[i];
+        const triFace f(t[0] + offset, t[1] + offset, t[2] + offset);
+        boundary.append({f, given.patches[i], -1});
     }
-    else
+    if (given.patches.empty())
     {
         for (label piece = 0; piece < outline_.nPieces(); ++piece)
         {
@@ -282,32 +333,26 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
 {
     meshLists mesh;
     size.coarsenGaps(settings.coarsening);
+    const domainBoundary given
+    (
+        givenBoundary(bodies, walls, shift, size, settings, mesh.failure)
+    );
+    if (!mesh.valid())
+    {
+        return mesh;
+    }
     gmshModel model(walls.bounds().mag());
     for (const bodySurface& body : bodies)
     {
         model.addSurface(body);
     }
-    domainBoundary curved;
-    if (outline_.curved())
+    if (given.patches.size())
     {
-        // far away they are as the background has them
-        curved = refinedFor
-        (
-            [&](const point& p) { return size.besideBodies(p); },
-            {walls, walls_.patches}
-        );
-        model.addSurface(curved.surface);
+        model.addSurface(given.surface);
     }
     else
     {
-        model.addOutline(domain_, outline_, shift);
-        cyclics_.forPieces
-        (
-            [&](const label piece, const label copy, const vector& translation)
-            {
-                model.addCopy(piece, copy, translation);
-            }
-        );
+        addPieces(shift, model);
     }
 
     List<FixedList<label, 4>> tetrahedra;
@@ -322,7 +367,7 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
 
     assembleMesh
     (
-        mesh, std::move(tetrahedra), boundaryOf(bodies, curved, model, mesh),
+        mesh, std::move(tetrahedra), boundaryOf(bodies, given, model, mesh),
         domain_.boundaryMesh().size() + bodies.size()
     );
     cyclics_.order(mesh);
@@ -383,6 +428,12 @@ void Foam::fsbi::conformalMesher::setPatches
         dictionary dict{IStringStream(os.str())()};
         dict.remove("nFaces");
         dict.remove("startFace");
+        if (cyclics_.found(patch.index()))
+        {
+            // bent, they have no one normal to find it from
+            dict.set("transform", "translational");
+            dict.set("separationVector", cyclics_.translation(patch.index()));
+        }
         mesh.patchNames.append(patch.name());
         mesh.patchDicts.append(dict);
     }
@@ -408,7 +459,12 @@ Foam::fsbi::conformalMesher::conformalMesher
     controls_(remeshDict),
     outline_(domain),
     cyclics_(domain, outline_),
+    open_(cyclics_.periods().size()),
     walls_(outline_.triangulation()),
+    barriers_
+    (
+        wallsIn([this](const label patch) { return !cyclics_.found(patch); })
+    ),
     cellsTold_(0)
 {}
 
@@ -423,22 +479,21 @@ Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::conformalMesher::refined
 ) const
 {
     // nothing holds the flow back at an open patch
-    DynamicList<point> corners;
-    DynamicList<triFace> walls;
-    forAll(walls_.patches, i)
-    {
-        if (isA<wallPolyPatch>(domain_.boundaryMesh()[walls_.patches[i]]))
-        {
-            const label n = corners.size();
-            walls.append(triFace(n, n + 1, n + 2));
-            for (const label p : walls_.surface.triangles()[i])
+    const bodySurface walls
+    (
+        wallsIn
+        (
+            [this](const label patch)
             {
-                corners.append(walls_.surface.points()[p] + shift);
+                return isA<wallPolyPatch>(domain_.boundaryMesh()[patch]);
             }
-        }
-    }
-    const surfaceDistance toWalls(pointField(corners), walls);
-    return refinedInGaps(bodies, shapes, toWalls, controls_.gapSag);
+        ).transformed(tensor::I, shift)
+    );
+    const surfaceDistance toWalls(walls.points(), walls.triangles());
+    return refinedInGaps
+    (
+        bodies, shapes, toWalls, imagesOf(periods()), controls_.gapSag
+    );
 }
 
 
@@ -454,10 +509,14 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
     const List<bodySurface> bodies(rounded(exact, unit));
     const vector shift(rounded(exactShift, unit));
     const bodySurface walls(walls_.surface.transformed(tensor::I, shift));
-    outcome possible(placed(bodyNames, exact, walls.bounds()));
+    const bodySurface barriers(barriersAt(shift));
+    outcome possible(placed(bodyNames, exact, room(shift)));
     if (possible)
     {
-        possible = apart(bodyNames, bodies, walls);
+        possible = apart
+        (
+            bodyNames, bodies, imagesOf(periods()), barriers, periods().empty()
+        );
     }
     meshLists mesh;
     mesh.failure = possible.reason;
@@ -476,7 +535,7 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::generate
     }
     sizeField size
     (
-        domain_, shift, walls, bodies, cyclics_.translations(), controls
+        domain_, shift, barriers, bodies, images(), controls
     );
     mesh.failure = tooManyCells(reportCells(bodies, walls, size), controls_);
     if (mesh.valid())
@@ -509,11 +568,23 @@ Foam::fsbi::outcome Foam::fsbi::conformalMesher::inside
 (
     const wordList& names,
     const UList<bodySurface>& bodies,
-    const bodySurface& walls
-)
+    const bodySurface& walls,
+    const vector& shift
+) const
 {
+    if (open_)
+    {
+        const outcome there(placed(names, bodies, room(shift)));
+        return
+            there
+          ? apart
+            (
+                names, bodies, imagesOf(periods()), barriersAt(shift), false
+            )
+          : there;
+    }
     const outcome there(placed(names, bodies, walls.bounds()));
-    return there ? apart(names, bodies, walls) : there;
+    return there ? apart(names, bodies, {}, walls, true) : there;
 }
 
 
@@ -524,10 +595,7 @@ Foam::fsbi::outcome Foam::fsbi::conformalMesher::placed
     const vector& shift
 ) const
 {
-    return placed
-    (
-        names, bodies, walls_.surface.transformed(tensor::I, shift).bounds()
-    );
+    return placed(names, bodies, room(shift));
 }
 
 
@@ -548,8 +616,7 @@ Foam::fsbi::sizeFunction Foam::fsbi::conformalMesher::sizes
     (
         new sizeField
         (
-            domain_, shift, walls_.surface.transformed(tensor::I, shift),
-            bodies, cyclics_.translations(), controls
+            domain_, shift, barriersAt(shift), bodies, images(), controls
         )
     );
     return [size](const point& p) { return (*size)(p); };

@@ -13,6 +13,9 @@ namespace Foam
 namespace fsbi
 {
 
+//- Sine of an angle, or a part of a length, that is none
+static const scalar right = 1e-6;
+
 static point centre(const polyPatch& patch)
 {
     point sum(Zero);
@@ -92,6 +95,70 @@ void Foam::fsbi::cyclicPairs::matchPieces
             << domain.boundaryMesh()[p.patch].name() << "'"
             << exit(FatalError);
     }
+}
+
+
+bool Foam::fsbi::cyclicPairs::straight
+(
+    const polyMesh& domain, const domainOutline& outline
+) const
+{
+    // a bent cell moves points of other patches along their planes
+    boolList ends(outline.lines().size(), true);
+    for (label piece = 0; piece < outline.nPieces(); ++piece)
+    {
+        if (found(outline.patch(piece)))
+        {
+            for (const DynamicList<label>& loop : outline.loops(piece))
+            {
+                for (const label line : loop)
+                {
+                    ends[mag(line) - 1] = false;
+                }
+            }
+        }
+    }
+    for (const pair& p : pairs_)
+    {
+        const vector along(p.translation/mag(p.translation));
+        forAll(ends, l)
+        {
+            const labelPair& line = outline.lines()[l];
+            const vector way
+            (
+                domain.points()[outline.corners()[line.second()]]
+              - domain.points()[outline.corners()[line.first()]]
+            );
+            if (ends[l] && mag(way ^ along) > right*mag(way))
+            {
+                return false;
+            }
+        }
+        for (const pair& other : pairs_)
+        {
+            const scalar skew =
+                along & (other.translation/mag(other.translation));
+            if (&other != &p && mag(skew) > right)
+            {
+                return false;
+            }
+        }
+        const polyPatch& side = domain.boundaryMesh()[p.patch];
+        forAll(side, f)
+        {
+            const vector& S = side.faceAreas()[f];
+            if
+            (
+                mag((S & along) + mag(S)) > right*mag(S)
+             || mag((side.faceCentres()[f] - side.localPoints()[0]) & along)
+              > right*mag(p.translation)
+            )
+            {
+                return false;
+            }
+        }
+    }
+    return true;
 }
 
 
@@ -187,10 +254,41 @@ Foam::fsbi::cyclicPairs::cyclicPairs
         matchPieces(domain, outline, p);
         pairs_.append(p);
     }
+    if (straight(domain, outline))
+    {
+        periods_.setSize(pairs_.size());
+        forAll(pairs_, i)
+        {
+            periods_[i] =
+            {
+                domain.boundaryMesh()[pairs_[i].patch].localPoints(),
+                pairs_[i].translation
+            };
+        }
+    }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::fsbi::cyclicPairs::found(const label patch) const
+{
+    return translation(patch) != vector(Zero);
+}
+
+
+Foam::vector Foam::fsbi::cyclicPairs::translation(const label patch) const
+{
+    for (const pair& p : pairs_)
+    {
+        if (patch == p.patch || patch == p.neighbour)
+        {
+            return patch == p.patch ? p.translation : -p.translation;
+        }
+    }
+    return Zero;
+}
+
 
 Foam::List<Foam::vector> Foam::fsbi::cyclicPairs::translations() const
 {

@@ -160,9 +160,12 @@ Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::refinedInGaps
     const UList<bodySurface>& bodies,
     const UList<toShape>& shapes,
     const surfaceDistance& walls,
+    const UList<vector>& images,
     const scalar gapSag
 )
 {
+    DynamicList<vector> ways(images);
+    ways.append(Zero);
     PtrList<bodyInGap> fine(bodies.size());
     forAll(bodies, b)
     {
@@ -188,18 +191,22 @@ Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::refinedInGaps
                 bool near = walls.find(p, reach, d, triangle);
                 forAll(distances, other)
                 {
-                    scalar there;
-                    if
-                    (
-                        other != b && distances.set(other)
-                     && distances[other].find
-                        (
-                            p, near ? d : reach, there, triangle
-                        )
-                    )
+                    for (const vector& way : ways)
                     {
-                        d = there;
-                        near = true;
+                        scalar there;
+                        if
+                        (
+                            (other != b || way != vector(Zero))
+                         && distances.set(other)
+                         && distances[other].find
+                            (
+                                p - way, near ? d : reach, there, triangle
+                            )
+                        )
+                        {
+                            d = there;
+                            near = true;
+                        }
                     }
                 }
                 return near;

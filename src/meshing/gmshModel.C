@@ -173,6 +173,40 @@ void Foam::fsbi::gmshModel::addVolumes() const
 }
 
 
+void Foam::fsbi::gmshModel::mesh
+(
+    const sizeFunction& size,
+    const meshingAttempt& settings,
+    const int dimension
+)
+{
+    setOptions(settings);
+    if (dimension == 3)
+    {
+        addVolumes();
+    }
+    gmsh::model::geo::synchronize();
+    for (const copy& c : copies_)
+    {
+        const vector t(scale_*c.translation);
+        gmsh::model::mesh::setPeriodic
+        (
+            2, {c.tag}, {c.of},
+            {1, 0, 0, t.x(), 0, 1, 0, t.y(), 0, 0, 1, t.z(), 0, 0, 0, 1}
+        );
+    }
+    gmsh::model::mesh::setSizeCallback
+    (
+        [&](int, int, double x, double y, double z)
+        {
+            return scale_*size(point(x, y, z)/scale_);
+        }
+    );
+    gmsh::model::mesh::generate(dimension);
+    gmsh::model::mesh::removeSizeCallback();
+}
+
+
 Foam::string Foam::fsbi::gmshModel::generate
 (
     const sizeFunction& size,
@@ -185,27 +219,7 @@ Foam::string Foam::fsbi::gmshModel::generate
     std::vector<std::size_t> tags, nodes;
     try
     {
-        setOptions(settings);
-        addVolumes();
-        gmsh::model::geo::synchronize();
-        for (const copy& c : copies_)
-        {
-            const vector t(scale_*c.translation);
-            gmsh::model::mesh::setPeriodic
-            (
-                2, {c.tag}, {c.of},
-                {1, 0, 0, t.x(), 0, 1, 0, t.y(), 0, 0, 1, t.z(), 0, 0, 0, 1}
-            );
-        }
-        gmsh::model::mesh::setSizeCallback
-        (
-            [&](int, int, double x, double y, double z)
-            {
-                return scale_*size(point(x, y, z)/scale_);
-            }
-        );
-        gmsh::model::mesh::generate(3);
-        gmsh::model::mesh::removeSizeCallback();
+        mesh(size, settings, 3);
         gmsh::model::mesh::getElementsByType(tetrahedron, tags, nodes);
     }
     catch (...)
@@ -226,6 +240,26 @@ Foam::string Foam::fsbi::gmshModel::generate
             tetrahedra[c][i] = index_.at(nodes[4*c + i]);
         }
     }
+    return "";
+}
+
+
+Foam::string Foam::fsbi::gmshModel::generateSurfaces
+(
+    const sizeFunction& size,
+    const meshingAttempt& settings,
+    pointField& points
+)
+{
+    try
+    {
+        mesh(size, settings, 2);
+    }
+    catch (...)
+    {
+        return "gmsh: " + session_.errors();
+    }
+    points = readPoints();
     return "";
 }
 

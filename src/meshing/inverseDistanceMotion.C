@@ -6,7 +6,9 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "inverseDistanceMotion.H"
 #include "triangleTree.H"
 #include "polyMesh.H"
+#include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
+#include "syncTools.H"
 #include "PtrList.H"
 
 namespace Foam
@@ -54,12 +56,47 @@ static vector turned(const vector& theta, const vector& r)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::fsbi::inverseDistanceMotion::place
+(
+    const UList<bodySurface>& surfaces, const UList<vector>& images
+)
+{
+    const boundBox mesh(reference_, true);
+    forAll(surfaces, b)
+    {
+        standing_.append(standing{b, Zero});
+        for (const vector& image : images)
+        {
+            // as far as it is large it matters
+            boundBox there(surfaces[b].bounds());
+            const vector span(there.span());
+            there.min() += image - span;
+            there.max() += image + span;
+            if (there.overlaps(mesh))
+            {
+                standing_.append(standing{b, image});
+            }
+        }
+    }
+    shares_.setSize(standing_.size());
+}
+
+
 void Foam::fsbi::inverseDistanceMotion::distances
 (
     const PtrList<triangleTree>& surfaces,
     const point& p, const scalar step, const scalar touching, scalarField& d
-)
+) const
 {
+    const auto surface = [&](const label i) -> const triangleTree&
+    {
+        return i < standing_.size() ? surfaces[standing_[i].body] : surfaces.last();
+    };
+    const auto from = [&](const label i)
+    {
+        return i < standing_.size() ? point(p - standing_[i].off) : p;
+    };
+
     // no surface is further than it was by more than the step: that, or bounding
     // boxes where nothing is known, spares most of the search
     label guess = findMin(d);
@@ -68,7 +105,7 @@ void Foam::fsbi::inverseDistanceMotion::distances
         scalarField least(d.size());
         forAll(d, i)
         {
-            least[i] = surfaces[i].atLeast(p);
+            least[i] = surface(i).atLeast(from(i));
         }
         guess = findMin(least);
     }
@@ -76,7 +113,7 @@ void Foam::fsbi::inverseDistanceMotion::distances
     {
         const scalar farthest = (1 + SMALL)*(d[i] + step) + touching;
         d[i] = GREAT;
-        surfaces[i].find(p, min(reach, farthest), d[i]);
+        surface(i).find(from(i), min(reach, farthest), d[i]);
     };
     find(guess, ROOTVGREAT);
     scalar nearest = d[guess];
@@ -122,18 +159,18 @@ void Foam::fsbi::inverseDistanceMotion::setWeights
     trees.append(new triangleTree(walls));
 
     const scalar touching = 1e-9*walls.bounds().mag();
-    scalarField d(trees.size(), GREAT), w(trees.size());
+    scalarField d(standing_.size() + 1, GREAT), w(d.size());
     forAll(reference_, p)
     {
         const point& last = reference_[max(p - 1, 0)];
         distances(trees, reference_[p], mag(reference_[p] - last), touching, d);
         weigh(d, touching, w);
         domainWeight_[p] = w.last();
-        forAll(shares_, b)
+        forAll(shares_, i)
         {
-            if (w[b] > 0)
+            if (w[i] > 0)
             {
-                shares_[b].append({p, w[b]});
+                shares_[i].append({p, w[i]});
             }
         }
     }
@@ -148,16 +185,19 @@ Foam::fsbi::inverseDistanceMotion::inverseDistanceMotion
     const wordList& bodyPatches,
     const UList<bodySurface>& surfaces,
     const UList<placement>& placements,
+    const UList<vector>& images,
     const scalar power
 )
 :
+    mesh_(mesh),
     reference_(mesh.points()),
     bodies_(placements),
+    periodic_(images.size()),
     power_(power),
-    shares_(placements.size()),
     domainWeight_(mesh.nPoints())
 {
-    setWeights(surfaces, domainBoundary(mesh, bodyPatches));
+    place(surfaces, images);
+    setWeights(surfaces, domainBoundary(mesh, bodyPatches, periodic_));
 }
 
 
@@ -168,21 +208,31 @@ Foam::pointField Foam::fsbi::inverseDistanceMotion::move
     const UList<placement>& now, const vector& frameShift
 ) const
 {
-    pointField x(reference_ + domainWeight_*frameShift);
-    forAll(shares_, b)
+    vectorField moved(domainWeight_*frameShift);
+    forAll(shares_, i)
     {
+        const label b = standing_[i].body;
         const vector theta
         (
             rotation(bodies_[b].orientation, now[b].orientation)
         );
         const vector shift(now[b].centre - bodies_[b].centre);
-        for (const share& s : shares_[b])
+        const point centre(bodies_[b].centre + standing_[i].off);
+        for (const share& s : shares_[i])
         {
-            const vector r(reference_[s.point] - bodies_[b].centre);
-            x[s.point] += turned(s.weight*theta, r) + s.weight*shift;
+            const vector r(reference_[s.point] - centre);
+            moved[s.point] += turned(s.weight*theta, r) + s.weight*shift;
         }
     }
-    return x;
+    if (periodic_)
+    {
+        // the same but for round-off and images that are far
+        syncTools::syncPointList
+        (
+            mesh_, moved, maxMagSqrEqOp<vector>(), vector::zero
+        );
+    }
+    return reference_ + moved;
 }
 
 
@@ -206,7 +256,7 @@ Foam::scalar Foam::fsbi::inverseDistanceMotion::twist
 
 Foam::fsbi::bodySurface Foam::fsbi::inverseDistanceMotion::domainBoundary
 (
-    const polyMesh& mesh, const wordList& bodyPatches
+    const polyMesh& mesh, const wordList& bodyPatches, const bool periodic
 )
 {
     // three corners of every triangle, unmerged: distances need no more
@@ -214,7 +264,11 @@ Foam::fsbi::bodySurface Foam::fsbi::inverseDistanceMotion::domainBoundary
     DynamicList<point> mine;
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        if (isA<processorPolyPatch>(patch) || bodyPatches.found(patch.name()))
+        if
+        (
+            isA<processorPolyPatch>(patch) || bodyPatches.found(patch.name())
+         || (periodic && isA<cyclicPolyPatch>(patch))
+        )
         {
             continue;
         }

@@ -55,46 +55,32 @@ Foam::scalar Foam::fsbi::sizeField::farSize(const point& p) const
 }
 
 
-Foam::scalar Foam::fsbi::sizeField::at(const point& p) const
+void Foam::fsbi::sizeField::addImages
+(
+    const UList<vector>& images, const boundBox& box
+)
 {
-    scalar h = farSize(p);
-    scalar first = reach(h), second = first;
-    const auto visit = [&](const label i)
+    const label nBodies = surfaces_.size() - 1;
+    scalar far = farSize_;
+    if (far <= 0)
     {
-        scalar d;
-        label triangle;
-        if (surfaces_[i].find(p, reach(h), d, triangle))
+        far = max(cellSizes_);
+    }
+    for (label b = 0; b < nBodies; ++b)
+    {
+        standing_.append(standing{b, Zero});
+        for (const vector& image : images)
         {
-            second = min(second, max(first, d));
-            first = min(first, d);
-            if (i < surfaces_.size() - 1)
+            boundBox reached(surfaces_[b].box());
+            reached.min() += image - reach(far)*vector::one;
+            reached.max() += image + reach(far)*vector::one;
+            if (reached.overlaps(box))
             {
-                h = min(h, sizes_[i][triangle] + growth_*d);
+                standing_.append(standing{b, image});
             }
         }
-    };
-
-    // the nearest goes first: what it leaves of the reach spares the others
-    label nearest = 0;
-    scalar bound = GREAT;
-    forAll(surfaces_, i)
-    {
-        const scalar d = surfaces_[i].atLeast(p);
-        if (d < bound)
-        {
-            bound = d;
-            nearest = i;
-        }
     }
-    visit(nearest);
-    forAll(surfaces_, i)
-    {
-        if (i != nearest)
-        {
-            visit(i);
-        }
-    }
-    return min(h, max(coarsening_*minSize_, (first + second)/cellsPerGap_));
+    standing_.append(standing{nBodies, Zero});
 }
 
 
@@ -115,8 +101,7 @@ Foam::fsbi::sizeField::sizeField
     minSize_(controls.minSize),
     coarsening_(1),
     farSize_(controls.farSize),
-    smallest_(GREAT),
-    images_(images)
+    smallest_(GREAT)
 {
     scalar bodySize = GREAT;
     for (const bodySurface& body : bodies)
@@ -145,6 +130,10 @@ Foam::fsbi::sizeField::sizeField
             )
         );
     }
+    boundBox cell(domain.bounds());
+    cell.min() += shift;
+    cell.max() += shift;
+    addImages(images, cell);
 }
 
 
@@ -203,10 +192,44 @@ Foam::scalarField Foam::fsbi::sizeField::triangleSizes
 
 Foam::scalar Foam::fsbi::sizeField::operator()(const point& p) const
 {
-    scalar h = at(p);
-    for (const vector& image : images_)
+    scalar h = farSize(p);
+    scalar first = reach(h), second = first;
+    const auto visit = [&](const label i)
     {
-        h = min(h, at(p + image));
+        const standing& s = standing_[i];
+        scalar d;
+        label triangle;
+        if (surfaces_[s.surface].find(p - s.off, reach(h), d, triangle))
+        {
+            second = min(second, max(first, d));
+            first = min(first, d);
+            if (s.surface < surfaces_.size() - 1)
+            {
+                h = min(h, sizes_[s.surface][triangle] + growth_*d);
+            }
+        }
+    };
+
+    // the nearest goes first: what it leaves of the reach spares the others
+    label nearest = 0;
+    scalar bound = GREAT;
+    forAll(standing_, i)
+    {
+        const standing& s = standing_[i];
+        const scalar d = surfaces_[s.surface].atLeast(p - s.off);
+        if (d < bound)
+        {
+            bound = d;
+            nearest = i;
+        }
     }
-    return h;
+    visit(nearest);
+    forAll(standing_, i)
+    {
+        if (i != nearest)
+        {
+            visit(i);
+        }
+    }
+    return min(h, max(coarsening_*minSize_, (first + second)/cellsPerGap_));
 }

@@ -85,7 +85,10 @@ void Foam::fsbi::flowConditions::setBodies
             vectorField u(pf.size());
             forAll(u, i)
             {
-                u[i] = body->velocityAt(pf.patch().Cf()[i], pf.patch().Sf()[i]);
+                u[i] = body->velocityAt
+                (
+                    pf.patch().Cf()[i] - body->toImage(), pf.patch().Sf()[i]
+                );
             }
             pf == u;
             const label start =
@@ -161,7 +164,7 @@ Foam::vectorField Foam::fsbi::flowConditions::wallVelocity
     {
         forAll(u, i)
         {
-            u[i] = body->velocityAt(x[i]);
+            u[i] = body->velocityAt(x[i] - body->toImage());
         }
     }
     else if (!mesh_.isBody(pp.name()))

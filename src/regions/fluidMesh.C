@@ -99,6 +99,7 @@ Foam::fsbi::fluidMesh::fluidMesh
     {
         readMesh(time_.constant());
         surfaces_ = meshedSurfaces(present_);
+        confined_ = "the fluid's mesh is given";
     }
     else
     {
@@ -176,6 +177,10 @@ void Foam::fsbi::fluidMesh::readDomain()
     checkDomain((*domain_)());
     checkPatchNames();
     mesher_.reset(new conformalMesher((*domain_)(), remeshDict_));
+    if (confined_.size())
+    {
+        mesher_->close();
+    }
 }
 
 
@@ -201,6 +206,8 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::generate
 )
 {
     readDomain();
+    const List<vector> before(imagesTaken());
+    chooseImages();
     meshLists whole;
     List<bodySurface> surfaces(meshedSurfaces(present_));
     if (Pstream::master())
@@ -216,6 +223,7 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::generate
     Pstream::scatter(whole.apart);
     if (!reason.empty())
     {
+        takeImages(before);
         return outcome::failed(reason + narrowGap(whole.apart));
     }
     if (Pstream::master())
@@ -298,7 +306,13 @@ Foam::List<Foam::fsbi::toShape> Foam::fsbi::fluidMesh::shapes() const
         const immersedBody& body = present_[b];
         if (body.hasShape())
         {
-            result[b] = [&body](const point& p) { return body.onShape(p); };
+            result[b] = [&body](const point& p)
+            {
+                return point
+                (
+                    body.onShape(p - body.toImage()) + body.toImage()
+                );
+            };
         }
     }
     return result;
@@ -309,7 +323,7 @@ void Foam::fsbi::fluidMesh::setReference()
 {
     referencePoints_ = mesh().points();
     referenceShift_ = shift();
-    motion_.reset(new fluidMotion(mesh(), present_, surfaces_));
+    motion_.reset(new fluidMotion(mesh(), present_, surfaces_, images_));
     measureReference();
 }
 
@@ -323,7 +337,10 @@ void Foam::fsbi::fluidMesh::measureReference()
     {
         return new triangleTree
         (
-            inverseDistanceMotion::domainBoundary(mesh(), others)
+            inverseDistanceMotion::domainBoundary
+            (
+                mesh(), others, images_.size()
+            )
         );
     };
     boundary_.reset(boundary());
@@ -530,6 +547,8 @@ void Foam::fsbi::fluidMesh::save(dictionary& state) const
     state.set("referenceShift", referenceShift_);
     state.set("referenceGap", referenceGap_);
     state.set("fresh", fresh_.dict());
+    state.set("neighbours", images_);
+    state.set("images", imagesTaken());
     state.set("generation", generation_);
     state.set("withoutBodies", withoutBodies_);
 }
@@ -540,6 +559,14 @@ void Foam::fsbi::fluidMesh::restore(const dictionary& saved)
     referenceShift_ = saved.get<vector>("referenceShift");
     referenceGap_ = saved.getOrDefault<scalar>("referenceGap", GREAT);
     generation_ = saved.get<label>("generation");
+    images_ = saved.getOrDefault<List<vector>>("neighbours", {});
+    takeImages
+    (
+        saved.getOrDefault<List<vector>>
+        (
+            "images", List<vector>(bodies_.size(), Zero)
+        )
+    );
     fresh_ = freshMesh(saved.subOrEmptyDict("fresh"));
     referencePoints_ = pointIOField
     (
@@ -552,7 +579,7 @@ void Foam::fsbi::fluidMesh::restore(const dictionary& saved)
 
     const pointField now(mesh().points());
     mesh_->movePoints(referencePoints_);
-    motion_.reset(new fluidMotion(mesh(), present_, saved));
+    motion_.reset(new fluidMotion(mesh(), present_, saved, images_));
     measureReference();
     mesh_->movePoints(now);
     mesh_->moving(false);

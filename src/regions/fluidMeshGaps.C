@@ -6,6 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 // How near bodies and walls are, and what to say of it
 
 #include "fluidMesh.H"
+#include "cyclicPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "wallPolyPatch.H"
 
@@ -167,6 +168,7 @@ Foam::string Foam::fsbi::fluidMesh::bodyThatLeaves(const scalar gap) const
         (
             isA<processorPolyPatch>(patch) || isA<wallPolyPatch>(patch)
          || isBody(patch.name())
+         || (images_.size() && isA<cyclicPolyPatch>(patch))
         )
         {
             continue;
@@ -186,10 +188,18 @@ Foam::string Foam::fsbi::fluidMesh::bodyThatLeaves(const scalar gap) const
                 {
                     return
                         " (body '" + body.name() + "' has come to the patch '"
-                      + patch.name() + "', which is no wall, but cannot leave"
-                        " there, as no fluid does: make the domain longer"
-                        " in system/blockMeshDict, or let it follow the body with"
-                        " `follow` in system/remeshDict)";
+                      + patch.name() + "', which "
+                      + (
+                            isA<cyclicPolyPatch>(patch) && confined_.size()
+                          ? "it may not cross, as " + confined_ + ")"
+                          : string
+                            (
+                                "is no wall, but cannot leave there, as no fluid"
+                                " does: make the domain longer in"
+                                " system/blockMeshDict, or let it follow the body"
+                                " with `follow` in system/remeshDict)"
+                            )
+                        );
                 }
             }
         }
@@ -254,15 +264,20 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap
         {
             approach(walls(), surface.points(), moved);
         }
-        if (present_.size() > 1)
+        if (present_.size() == 1 && images_.empty())
         {
-            const triangleTree tree(surface);
-            for (label other = 0; other < b; ++other)
+            continue;
+        }
+        const triangleTree tree(surface);
+        for (label other = 0; other < b; ++other)
+        {
+            approach(tree, now(other).points(), Zero);
+        }
+        for (const vector& image : images_)
+        {
+            for (label other = 0; other <= b; ++other)
             {
-                approach
-                (
-                    tree, now(other).points(), Zero
-                );
+                approach(tree, now(other).points(), image);
             }
         }
     }
@@ -280,6 +295,7 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::holdsBodies()
     string reason;
     if (Pstream::master())
     {
+        readDomain();
         const wordList names(namesOf(present_));
         const bodySurface walls
         (
@@ -293,14 +309,13 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::holdsBodies()
         {
             surfaces[b] = motion_->surface(b);
         }
-        reason = conformalMesher::inside(names, surfaces, walls).reason;
+        reason = mesher_->inside(names, surfaces, walls, shift()).reason;
         if (reason.size() && refines())
         {
             // a new mesh has triangles that are cut for the gaps there now
-            readDomain();
             surfaces =
                 mesher_->refined(meshedSurfaces(present_), shapes(), shift());
-            reason = conformalMesher::inside(names, surfaces, walls).reason;
+            reason = mesher_->inside(names, surfaces, walls, shift()).reason;
         }
     }
     Pstream::scatter(reason);

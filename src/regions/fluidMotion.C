@@ -38,7 +38,8 @@ Foam::fsbi::fluidMotion::fluidMotion
 (
     const polyMesh& mesh,
     const UPtrList<immersedBody>& bodies,
-    const UList<bodySurface>& surfaces
+    const UList<bodySurface>& surfaces,
+    const UList<vector>& images
 )
 :
     mesh_(mesh),
@@ -46,7 +47,7 @@ Foam::fsbi::fluidMotion::fluidMotion
     surfaces_(surfaces),
     placements_(placementsNow())
 {
-    create();
+    create(images);
 }
 
 
@@ -54,7 +55,8 @@ Foam::fsbi::fluidMotion::fluidMotion
 (
     const polyMesh& mesh,
     const UPtrList<immersedBody>& bodies,
-    const dictionary& saved
+    const dictionary& saved,
+    const UList<vector>& images
 )
 :
     mesh_(mesh),
@@ -79,7 +81,7 @@ Foam::fsbi::fluidMotion::fluidMotion
         );
         placements_[b] = {centres[b], orientations[b]};
     }
-    create();
+    create(images);
 }
 
 
@@ -87,13 +89,13 @@ Foam::fsbi::fluidMotion::~fluidMotion()
 {}
 
 
-void Foam::fsbi::fluidMotion::create()
+void Foam::fsbi::fluidMotion::create(const UList<vector>& images)
 {
     inverseDistance_.reset
     (
         new inverseDistanceMotion
         (
-            mesh_, namesOf(bodies_), surfaces_, placements_
+            mesh_, namesOf(bodies_), surfaces_, placements_, images
         )
     );
     meshPoints_.setSize(bodies_.size());

@@ -49,6 +49,10 @@ Foam::fsbi::fluidRegion::fluidRegion
             momentumTerm::all(mesh(), material_)
         )
     );
+    if (momentum_->remembers())
+    {
+        confine("inertia needs earlier flows, where no cell may have been");
+    }
     createOperators();
     conditions_.evaluate(U_(), stokes(), given_);      // mistakes show now
     checkReduced();
@@ -320,7 +324,7 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
 Foam::fsbi::sixVector Foam::fsbi::fluidRegion::load(const label bodyi) const
 {
     List<bodyRows> rows(1);
-    rows[0].centre = mesh_.bodies()[bodyi].placed().centre;
+    rows[0].centre = mesh_.bodies()[bodyi].meshedPlacement().centre;
     rows[0].faces = bodyFaces_[bodyi];
     return bodyLoads(stokes(), rows, traction_)[0];
 }
@@ -352,7 +356,7 @@ Foam::symmTensor Foam::fsbi::fluidRegion::stresslet
     const label bodyi
 ) const
 {
-    const point centre(mesh_.bodies()[bodyi].placed().centre);
+    const point centre(mesh_.bodies()[bodyi].meshedPlacement().centre);
     const tensorField& moments = stokes().tractionMoments();
     const vectorField& mean = stokes().meanVelocities();
     const vectorField& velocity = mean.empty() ? given_.faces : mean;

@@ -22,7 +22,7 @@ Foam::fsbi::surfaceSide Foam::fsbi::fluidRegion::sideOf(const label b) const
         wettedSurface::sideOf
         (
             mesh(), mesh().boundaryMesh()[mesh_.bodyPatch(b)],
-            mesh_.bodies()[b].placedSurface()
+            mesh_.bodies()[b].meshedSurface()
         )
     );
     // points as positions in the list of wall vertices

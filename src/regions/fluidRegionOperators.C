@@ -89,12 +89,13 @@ Foam::fsbi::fluidRegion::surfaceOfBodies() const
         {
             return x;
         }
-        if (mesh_.bodies()[b].hasShape())
+        const immersedBody& body = mesh_.bodies()[b];
+        if (body.hasShape())
         {
-            return mesh_.bodies()[b].onShape(x);
+            return point(body.onShape(x - body.toImage()) + body.toImage());
         }
         // normals of the fluid's mesh point into the body
-        const point centre(mesh_.bodies()[b].placed().centre);
+        const point centre(body.meshedPlacement().centre);
         return point(centre + surfaces[b].described(x - centre, -normal));
     };
 }

@@ -33,7 +33,7 @@ public:
     //- Without the axes' directions, which a sphere does not have
     explicit surroundings(const immersedBody& body)
     :
-        centre_(body.placed().centre)
+        centre_(body.meshedPlacement().centre)
     {
         const equivalentEllipsoid shape(body.meshedSurface());
         perSquare_ =

@@ -69,7 +69,9 @@ void Foam::fsbi::repulsion::findAll()
     const currentSurfaces now(context_);
     forAll(context_.bodies, a)
     {
-        for (label b = a + 1; b < now.size(); ++b)
+        // itself: its images
+        const label first = context_.images.empty() ? a + 1 : a;
+        for (label b = first; b < now.size(); ++b)
         {
             pairs_.append(pair({a, b}));
         }
@@ -143,7 +145,7 @@ void Foam::fsbi::repulsion::visit(const Visitor& visitor) const
     {
         const bool wall = now.isWall(p[1]);
         from(p[0], p[1], wall ? 1 : 0.5);
-        if (!wall)
+        if (!wall && p[0] != p[1])      // images see each other from both sides
         {
             from(p[1], p[0], 0.5);
         }
@@ -171,7 +173,7 @@ void Foam::fsbi::repulsion::push
         const bodySurface& s = now.surface(on);
         return loads::site
         {
-            on, tri, x - context_.bodies[on].placed().centre,
+            on, tri, x - now.centre(on),
             materialPoint::nearest(tri, x, s.points(), s.triangles()).weights()
         };
     };
@@ -180,7 +182,7 @@ void Foam::fsbi::repulsion::push
         {
             site(body, n.triangle, n.centre),
             now.isWall(other)
-          ? loads::site() : site(other, n.otherTriangle, n.nearest),
+          ? loads::site() : site(other, n.otherTriangle, n.nearest - n.way),
             k*(1/pow3(d) - 1/pow3(range_) + slope*(d - gap))*n.normal,
             k*slope*tensor(sqr(n.normal))
         }

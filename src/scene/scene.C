@@ -385,7 +385,10 @@ Foam::scalar Foam::fsbi::scene::timeToContact
         fluid_
       ? fsbi::timeToContact
         (
-            {time_, bodies_.immersed, fluid_->walls()},
+            {
+                time_, bodies_.immersed, fluid_->walls(), {}, {},
+                fluid_->meshing().images()
+            },
             fluid_->meshing().cutSurfaces(), reach, names
         )
       : GREAT;

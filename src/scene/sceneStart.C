@@ -122,12 +122,16 @@ void Foam::fsbi::scene::createEffects(const dictionary& saved)
         (
             {
                 time_, bodies_.immersed, fluid_->walls(), fluid_->unseen(),
-                gravities()
+                gravities(), fluid_->meshing().images()
             },
             triangles, timings_, saved
         )
     );
     checkFluctuations();
+    for (const word& name : effects_->confining())
+    {
+        fluid_->confine("effect '" + name + "' sees no periodic images");
+    }
     fluid_->setEffects(effects_());
 }
 
@@ -214,6 +218,7 @@ void Foam::fsbi::scene::createCarried(const dictionary& saved)
     }
     carried_ = carriedByFlow::New(fluid_(), saved);
     fluid_->setCarried(carried_());
+    fluid_->confine("species are carried, to where no cell may have been");
     Info<< "Dissolved species: ";
     carried_->reportNames(Info);
     Info<< nl << endl;

@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stokes flow around one sphere of radius 1 in a cube with itself at its sides.
+"""Stokes flow around spheres of radius 1 in a cube with themselves at its sides.
 
     array_drag(0.125)           # drag of a simple cubic array over 6 pi mu a U, U: the
                                 # mean velocity of fluid and spheres
+    crowd_drag(phi, centres)    # the same of several spheres in a cube
     between_walls(5.0)          # stresslet and spin of a free sphere between sliding walls
                                 # as far apart as the cube is wide, over those alone
 
@@ -102,6 +103,16 @@ def array_drag(phi, sources=1200, depth=0.82):
     return -8 * strength[:, 0].sum() / (6 * np.pi)
 
 
+def crowd_drag(phi, centres, sources=190, depth=0.68):
+    """Mean over spheres of the component along the flow."""
+    box = (4 * np.pi * len(centres) / (3 * phi))**(1 / 3)
+    points, forces = ((centres[:, None] + x).reshape(-1, 3) for x in
+                      (on_sphere(2 * sources), depth * on_sphere(sources)))
+    given = np.tile([-1.0, 0, 0], len(points))
+    strength = least_squares(lattice(points, forces, box), given).reshape(-1, 3)
+    return -strength[:, 0].sum() / len(centres) / (6 * np.pi)
+
+
 class Walls:
     """Flows in -h < z < h by waves along the walls, the same velocity on both:
     u = w + z grad psi, w and psi harmonic, div w = -d psi/dz."""
@@ -171,9 +182,10 @@ def between_walls(box, sources=160, depth=0.65, waves=14):
 
 def main():
     rows = [("array", phi, array_drag(phi), np.nan) for phi in PHI]
+    rows.append(("crowd", 0.15, crowd_drag(0.15, np.loadtxt("crowd.txt")), np.nan))
     rows += [("walls", box, *between_walls(box)) for box in BOXES]
     with open("reference.csv", "w") as file:
-        file.write("# By periodic_flow.py. Arrays: volume fraction, drag over 6 pi mu a U.\n"
+        file.write("# By periodic_flow.py. Arrays, crowd: volume fraction, drag over 6 pi mu a U.\n"
                    "# Walls: width over a, stresslet over (10/3) pi mu a^3 g, spin over g/2\n"
                    "kind,of,value,spin\n")
         file.writelines(f"{kind},{of:g},{value:.7g},{spin:.7g}\n"

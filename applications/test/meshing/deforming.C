@@ -227,7 +227,7 @@ void checkDeforming(checks& c)
         whole = s.box.generate();
         ranks = meshDistribution::bisect(whole, UPstream::nProcs());
         alone = s.box.fluid(whole, "alone");
-        const fluidMotion motion(alone(), s.bodies, meshedSurfaces(s.bodies));
+        const fluidMotion motion(alone(), s.bodies, meshedSurfaces(s.bodies), {});
         s.pull(1);
         pulled = motion.points(Zero);
         s.pull(0);
@@ -239,7 +239,10 @@ void checkDeforming(checks& c)
         c, "meshed", mesh->boundaryMesh()["body0"], s.soft.placedSurface()
     );
     clockTime time;
-    const fluidMotion motion(mesh(), s.bodies, meshedSurfaces(s.bodies));
+    const fluidMotion motion
+    (
+        mesh(), s.bodies, meshedSurfaces(s.bodies), {}
+    );
     Info<< "    set up in " << time.elapsedTime() << " s" << endl;
     checkMoved(c, s, mesh(), motion);
 

@@ -17,6 +17,7 @@ Description
 #include "healing.H"
 #include "filling.H"
 #include "refining.H"
+#include "periodic.H"
 #include "meshDistribution.H"
 #include "inverseDistanceMotion.H"
 #include "argList.H"
@@ -216,47 +217,16 @@ static void checkCurved(checks& c)
 }
 
 
-static void checkCyclic(checks& c)
-{
-    boxScene s("cyclic");
-    s.add(shape("type sphere; radius 1;", 0.25), point(2.6, 0.5, 3));
-    const meshLists mesh(s.generate());
-    checkMesh(c, "cyclic", s, mesh);
-    autoPtr<fvMesh> fluid(s.fluid(mesh));
-    const polyPatch& one = fluid->boundaryMesh()[0];
-    const polyPatch& other = fluid->boundaryMesh()[1];
-    scalar error = 0;
-    forAll(one, f)
-    {
-        error = max
-        (
-            error,
-            mag
-            (
-                other.faceCentres()[f] - one.faceCentres()[f] - vector(8, 0, 0)
-            )
-        );
-        error = max
-        (
-            error,
-            mag
-            (
-                fluid->points()[other[f][0]] - fluid->points()[one[f][0]]
-              - vector(8, 0, 0)
-            )
-        );
-    }
-    c.checkBelow("cyclic: faces match", error, 1e-8);
-}
-
-
 static void checkMotion(checks& c)
 {
     boxScene s;
     s.add(shape("type sphere; radius 1;", 0.2), point(0.1, 0, 3));
     const meshLists lists(s.generate());
     autoPtr<fvMesh> mesh(s.fluid(lists));
-    const inverseDistanceMotion motion(mesh(), s.names, s.bodies, s.placements);
+    const inverseDistanceMotion motion
+    (
+        mesh(), s.names, s.bodies, s.placements, {}
+    );
     const scalarField volumes(mesh->cellVolumes());
 
     c.checkBelow
@@ -412,7 +382,10 @@ static void checkDistribution(checks& c)
      == s.bodies[0].triangles().size()
     );
 
-    const inverseDistanceMotion motion(mesh(), s.names, s.bodies, s.placements);
+    const inverseDistanceMotion motion
+    (
+        mesh(), s.names, s.bodies, s.placements, {}
+    );
     List<placement> now(s.placements);
     now[0].orientation = quaternion(vector(0, 1, 0), 0.3);
     mesh->polyMesh::movePoints(motion.move(now, Zero));
@@ -439,7 +412,7 @@ int main(int argc, char* argv[])
         checkRefining(c);
         checkSpot(c);
         checkCurved(c);
-        checkCyclic(c);
+        checkPeriodic(c);
         checkMotion(c);
         checkErrors(c);
         checkFilling(c);

@@ -33,7 +33,7 @@ struct passed
         autoPtr<fvMesh> mesh(s.fluid(fresh));
         const inverseDistanceMotion motion
         (
-            mesh(), s.names, s.bodies, s.placements
+            mesh(), s.names, s.bodies, s.placements, {}
         );
         worn = fresh;
         List<placement> now(s.placements);

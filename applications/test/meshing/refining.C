@@ -118,7 +118,7 @@ struct gapScene
 
     List<bodySurface> refined() const
     {
-        return refinedInGaps(bodies, shapes, walls, gapSag);
+        return refinedInGaps(bodies, shapes, walls, {}, gapSag);
     }
 };
 

@@ -94,6 +94,16 @@ void Foam::fsbi::momentumEquation::update()
 }
 
 
+bool Foam::fsbi::momentumEquation::remembers() const
+{
+    return std::any_of
+    (
+        terms_.begin(), terms_.end(),
+        [](const momentumTerm& term) { return term.remembers(); }
+    );
+}
+
+
 bool Foam::fsbi::momentumEquation::linear() const
 {
     return law_->constant() && std::all_of
