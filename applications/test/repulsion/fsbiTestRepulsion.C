@@ -170,6 +170,64 @@ static void checkDerivative
 }
 
 
+//- The upper sphere periods away, and its image in the mesh so many from it
+static void checkImages(checks& c)
+{
+    const vector period(3, -2, 30);
+    const auto forces = [&](const label travelled, const label image)
+    {
+        const twoSpheres plain(0.16, gap);
+        twoSpheres there(0.16, gap, 9, {period, -period});
+        there.sphere(1).centre += travelled*period;
+        there.sphere(1).setImage(image*period);
+        const loads::onBodies with
+        (
+            there.acting(there.make(pressure + spheresOnly)()).forces()
+        );
+        const loads::onBodies without
+        (
+            plain.acting(plain.make(pressure + spheresOnly)()).forces()
+        );
+        scalar difference = 0;
+        for (label body = 0; body < 2; ++body)
+        {
+            for (label k = 0; k < 6; ++k)
+            {
+                difference = max
+                (
+                    difference,
+                    mag(with.whole[body][k] - without.whole[body][k])
+                );
+            }
+        }
+        return difference/mag(without.whole[0][2]);
+    };
+    // bound: round-off of coordinates of 100 over a distance of 0.1
+    c.checkBelow("an image repels as the body", forces(-1, 0), 1e-10);
+    c.checkBelow("a body that has gone far, by its image", forces(4, -4), 1e-10);
+
+    // equal spheres in a row, each between two others
+    twoSpheres row
+    (
+        0.08, 9, 9,
+        {vector(2*twoSpheres::lower + gap, 0, 0),
+        vector(-2*twoSpheres::lower - gap, 0, 0)}
+    );
+    row.sphere(1).setPresent(false);
+    scalar gross = 0;
+    const loads l(row.acting(row.make(pressure)()));
+    for (const loads::spring& s : l.springs())
+    {
+        gross += mag(s.force.x());
+    }
+    const scalar net = mag(linear(l.forces().whole[0]));
+    const scalar exact =
+        onZones(twoSpheres::lower, twoSpheres::lower, 2*twoSpheres::lower + gap);
+    c.checkClose("images of the body itself", gross, exact, 0.02);
+    c.checkBelow("images of the body itself: no force", net/gross, 1e-12);
+}
+
+
 static void checkWalls(checks& c)
 {
     const twoSpheres scene(0.16, gap);
@@ -210,6 +268,7 @@ int main()
     checkDerivative(c, "pressure: derivative", pressure, 0.2);
     checkDerivative(c, "point forces: derivative", pointForce, 0.2);
     checkDerivative(c, "beyond the minimum gap: derivative", pressure, 0.03);
+    checkImages(c);
     checkWalls(c);
     return c.finish();
 }
