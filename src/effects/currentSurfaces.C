@@ -60,12 +60,7 @@ const Foam::fsbi::bodySurface& Foam::fsbi::currentSurfaces::surface
         surfaces_.set
         (
             body,
-            new bodySurface
-            (
-                there.toImage() == vector(Zero)
-              ? there.placedSurface()
-              : there.placedSurface().transformed(tensor::I, there.toImage())
-            )
+            new bodySurface(there.atImage(there.placedSurface()))
         );
     }
     return surfaces_[body];

@@ -9,7 +9,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshingAttempts.H"
 #include "serialScope.H"
 #include "sizeField.H"
-#include "triangleCrossings.H"
+#include "surfacesTogether.H"
 #include "surfaceDistance.H"
 #include "wallPolyPatch.H"
 #include "OStringStream.H"
@@ -88,69 +88,6 @@ static List<bodySurface> rounded
     return result;
 }
 
-// All surfaces in one list of triangles, to find those that cross
-class surfacesTogether
-{
-    DynamicList<point> points_;
-    DynamicList<triFace> triangles_;
-    DynamicList<label> group_;
-
-    //- Of every surface, and what it does to another one
-    DynamicList<word> names_;
-    DynamicList<string> meets_;
-
-public:
-
-    void append
-    (
-        const bodySurface& surface, const word& name, const string& meets
-    )
-    {
-        for (const triFace& t : surface.triangles())
-        {
-            const label n = points_.size();
-            triangles_.append(triFace(t[0] + n, t[1] + n, t[2] + n));
-            group_.append(names_.size());
-        }
-        points_.append(surface.points());
-        names_.append(name);
-        meets_.append(meets);
-    }
-
-    static bool near(const UList<bodySurface>& bodies, const boundBox& box)
-    {
-        return std::any_of
-        (
-            bodies.begin(), bodies.end(),
-            [&](const bodySurface& body) { return body.bounds().overlaps(box); }
-        );
-    }
-
-    //- What crosses what, and where; empty: nothing. Triangles of the walls'
-    //  surface may touch each other
-    string crossing(const label walls) const
-    {
-        const labelPair two
-        (
-            triangleCrossing(points_, triangles_, group_, walls)
-        );
-        if (two.first() < 0)
-        {
-            return string();
-        }
-        const label a = min(group_[two.first()], group_[two.second()]);
-        const label b = max(group_[two.first()], group_[two.second()]);
-        // of an image of a body at a wall it is the image that crosses
-        const bool imageAtWall = a == walls;
-        OStringStream reason;
-        reason
-            << "Body '" << names_[imageAtWall ? b : a] << "' "
-            << meets_[imageAtWall ? a : b].c_str() << " near "
-            << triangles_[two.first()].centre(points_);
-        return reason.str();
-    }
-};
-
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -221,7 +158,11 @@ Foam::fsbi::outcome Foam::fsbi::conformalMesher::apart
         for (const vector& image : images)
         {
             const bodySurface there(bodies[b].transformed(tensor::I, image));
-            if (all.near(bodies, there.bounds()))
+            const auto near = [&](const bodySurface& body)
+            {
+                return body.bounds().overlaps(there.bounds());
+            };
+            if (std::any_of(bodies.begin(), bodies.end(), near))
             {
                 all.append
                 (

@@ -308,10 +308,7 @@ Foam::List<Foam::fsbi::toShape> Foam::fsbi::fluidMesh::shapes() const
         {
             result[b] = [&body](const point& p)
             {
-                return point
-                (
-                    body.onShape(p - body.toImage()) + body.toImage()
-                );
+                return body.onMeshedShape(p);
             };
         }
     }

@@ -92,7 +92,7 @@ Foam::fsbi::fluidRegion::surfaceOfBodies() const
         const immersedBody& body = mesh_.bodies()[b];
         if (body.hasShape())
         {
-            return point(body.onShape(x - body.toImage()) + body.toImage());
+            return body.onMeshedShape(x);
         }
         // normals of the fluid's mesh point into the body
         const point centre(body.meshedPlacement().centre);
