@@ -6,6 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "savedProcesses.H"
 #include "stateFolder.H"
 #include "IFstream.H"
+#include "StringStream.H"
 #include "OSspecific.H"
 #include "PstreamReduceOps.H"
 #include <map>
@@ -43,7 +44,7 @@ static bool fromStart(const fileName& path)
      != "latestTime";
 }
 
-static string processes(const label n)
+static std::string processes(const label n)
 {
     return n == 1 ? "one process" : Foam::name(n) + " processes";
 }
@@ -112,52 +113,80 @@ Foam::word Foam::fsbi::savedProcesses::at
 }
 
 
-void Foam::fsbi::savedProcesses::check(const argList& args)
+void Foam::fsbi::savedProcesses::checkLast(const label wanted) const
 {
-    const label wanted = Pstream::nProcs();
-    if (!Pstream::master())
+    struct { label number = 0; scalar time = 0; } last, own;
+    for (const label n : {label(1), number_})
     {
-        returnReduce(true, andOp<bool>());      // until the master has looked
+        scalar time;
+        if (n && readScalar(latest(parts(path_, n)[0]), time))
+        {
+            if (n == wanted)
+            {
+                own = {n, time};
+            }
+            if (time > last.time)
+            {
+                last = {n, time};
+            }
+        }
+    }
+    if (last.time <= (1 + 1e-9)*own.time || fromStart(path_))
+    {
         return;
     }
-    const fileName path(args.globalPath());
-    const savedProcesses saved(path);
-    const bool single = latest(path).size();
-    label found = wanted;
-    if (saved.number() > 1 && (wanted > 1 || !single))
+    OStringStream instead;
+    if (own.number)
     {
-        found = saved.number();
+        instead
+            << "To continue from time " << own.time << ", the last of "
+            << processes(wanted).c_str() << ", write   startFrom startTime; startTime "
+            << own.time << ";   in system/controlDict";
     }
-    else if (saved.number() == 0 && single)
+    else
     {
-        found = 1;
+        instead << "To begin anew, remove the states";
     }
-    if (found != wanted && !fromStart(path))
-    {
-        FatalErrorInFunction
-            << "The saved states of this case are of " << processes(found)
-            << ", the run of " << processes(wanted) << ". To continue from"
-            << " the last state, type   fsbiRedistribute -np " << wanted
-            << "   To begin anew, remove the states" << exit(FatalError);
-    }
-    const bool divided = isDir(path/"processor0"/"constant");
-    const label folders = saved.nFolders();
-    if
-    (
-        wanted > 1 && !args.distributed()
-     && (saved.number() ? folders < wanted : divided && folders != wanted)
-    )
+    FatalErrorInFunction
+        << "The last saved state of this case, of time " << last.time
+        << ", is of " << processes(last.number).c_str() << ", the run of "
+        << processes(wanted).c_str() << ". To continue from it, type"
+        << "   fsbiRedistribute -np " << wanted << "   "
+        << instead.str().c_str() << exit(FatalError);
+}
+
+
+void Foam::fsbi::savedProcesses::checkFolders(const label wanted) const
+{
+    const bool divided = isDir(path_/"processor0"/"constant");
+    const label folders = nFolders();
+    if (number_ ? folders < wanted : divided && folders != wanted)
     {
         FatalErrorInFunction
             << "The case has " << folders << " folders processor0 ..., the run"
-            << " has " << processes(wanted) << ". Remove them: the run divides"
+            << " has " << processes(wanted).c_str() << ". Remove them: the run divides"
             << " the meshes itself. Or divide them by decomposePar, with"
             << " 'numberOfSubdomains " << wanted << ";' in"
             << " system/decomposeParDict" << exit(FatalError);
     }
-    for (label i = folders; i < wanted && wanted > 1 && !args.distributed(); ++i)
+    for (label i = folders; i < wanted; ++i)
     {
-        mkDir(path/("processor" + name(i)));
+        mkDir(path_/("processor" + name(i)));
     }
-    returnReduce(true, andOp<bool>());
+}
+
+
+void Foam::fsbi::savedProcesses::check(const argList& args)
+{
+    if (Pstream::master())
+    {
+        const label wanted = Pstream::nProcs();
+        const savedProcesses saved(args.globalPath());
+        saved.checkLast(wanted);
+        if (wanted > 1 && !args.distributed())
+        {
+            saved.checkFolders(wanted);
+        }
+    }
+    returnReduce(true, andOp<bool>());      // until the master has looked
 }
