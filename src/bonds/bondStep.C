@@ -190,14 +190,15 @@ void Foam::fsbi::bondStep::log
 )
 {
     const bondPair& pair = adhesion_.pairs()[b.pair];
-    const point y(end(adhesion_, surfaces_, b));
+    const point y(end(s, b));
     const scalar length = pair.length(s.place, y);
+    const vector& image = surfaces_.toImage(adhesion_.sets()[s.set].body);
     events_.append
     (
         bondEvent
         {
             time_ + time, b.pair, s.set, s.site, formed, length,
-            pair.law->force(length), s.place, y
+            pair.law->force(length), s.place - image, y - image
         }
     );
 }
@@ -253,7 +254,7 @@ Foam::scalar Foam::fsbi::bondStep::rate(const label i) const
         const bondPair& pair = adhesion_.pairs()[bound->second.pair];
         return pair.law->kOff
         (
-            pair.length(s.place, end(adhesion_, surfaces_, bound->second))
+            pair.length(s.place, end(s, bound->second))
         );
     }
     scalar sum = 0;

@@ -32,12 +32,12 @@ Foam::scalar Foam::fsbi::bondStep::smallestGap
 
 Foam::labelList Foam::fsbi::bondStep::facesNear
 (
-    const label a, const label b, const scalar reach
+    const label a, const label b, const vector& way, const scalar reach
 ) const
 {
     boundBox box(surfaces_.surface(b).bounds());
-    box.min() -= reach*vector::one;
-    box.max() += reach*vector::one;
+    box.min() += way - reach*vector::one;
+    box.max() += way + reach*vector::one;
     DynamicList<label> near;
     forAll(surfaces_.surface(a).triangles(), triangle)
     {
@@ -81,18 +81,25 @@ Foam::fsbi::bondStep::facePairs
     }
 
     DynamicList<facePair> result;
-    const labelList others(facesNear(b, a, reach));
-    for (const label i : facesNear(a, b, reach))
+    const auto addPair = [&](const label i, const label j, const vector& way)
     {
         const point x(surfaces_.centroid(a, i));
-        for (const label j : others)
+        const point y(surfaces_.centroid(b, j) + way);
+        const label n = ligands.numbers[j];
+        if (n > 0 && magSqr(y - x) <= sqr(reach))
         {
-            const point y(surfaces_.centroid(b, j));
-            const label n = ligands.numbers[j];
-            if (n > 0 && magSqr(y - x) <= sqr(reach))
+            const scalar logOn = pair.law->logOn(pair.length(x, y));
+            result.append(facePair{i, j, Foam::log(scalar(n)) + logOn});
+        }
+    };
+    for (const vector& way : surfaces_.ways(false))
+    {
+        const labelList others(facesNear(b, a, -way, reach));
+        for (const label i : facesNear(a, b, way, reach))
+        {
+            for (const label j : others)
             {
-                const scalar logOn = pair.law->logOn(pair.length(x, y));
-                result.append(facePair{i, j, Foam::log(scalar(n)) + logOn});
+                addPair(i, j, way);
             }
         }
     }

@@ -50,16 +50,21 @@ Foam::fsbi::bonds::bonds(const dictionary& dict, const effectContext& context)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::point Foam::fsbi::bonds::end
+Foam::Pair<Foam::point> Foam::fsbi::bonds::ends
 (
-    const currentSurfaces& surfaces, const bond& b
+    const currentSurfaces& surfaces, const bondMap::value_type& entry
 ) const
 {
+    const bond& b = entry.second;
+    const adhesion::siteSet& s = adhesion_->sets()[entry.first.first];
     const label surface = adhesion_->surface(b.ligand);
-    const point y(bondStep::end(adhesion_(), surfaces, b));
-    return
-        surfaces.isWall(surface)
-      ? point(y + dt_*surfaces.wall(surface).velocity) : y;
+    const point x(surfaces.position(s.body, s.sites[entry.first.second]));
+    point y(bondStep::end(adhesion_(), surfaces, b));
+    if (surfaces.isWall(surface))
+    {
+        y += dt_*surfaces.wall(surface).velocity;
+    }
+    return {x, surfaces.nearestImage(y, x)};
 }
 
 
@@ -68,12 +73,11 @@ Foam::point Foam::fsbi::bonds::end
 void Foam::fsbi::bonds::apply(loads& l) const
 {
     const currentSurfaces now(context_);
-    const auto site =
-        [&](const label body, const materialPoint& at, const point& x)
+    const auto site = [&](const label body, const materialPoint& at)
     {
         return loads::site
         {
-            body, at.triangle, x - context_.bodies[body].placed().centre,
+            body, at.triangle, now.position(body, at) - now.centre(body),
             at.weights()
         };
     };
@@ -85,18 +89,17 @@ void Foam::fsbi::bonds::apply(loads& l) const
         const materialPoint& start = s.sites[entry.first.second];
         const label other = adhesion_->surface(b.ligand);
 
-        const point x(now.position(s.body, start));
-        const point y(end(now, b));
-        const scalar distance = max(mag(y - x), VSMALL);
-        const vector e((y - x)/distance);
-        const scalar f = pair.law->force(pair.length(x, y));
+        const Pair<point> at(ends(now, entry));
+        const vector way(at.second() - at.first());
+        const scalar distance = max(mag(way), VSMALL);
+        const vector e(way/distance);
+        const scalar f = pair.law->force(pair.length(at.first(), at.second()));
         const tensor along(e*e);
         l.add
         (
             {
-                site(s.body, start, x),
-                now.isWall(other)
-              ? loads::site() : site(other, b.end, y),
+                site(s.body, start),
+                now.isWall(other) ? loads::site() : site(other, b.end),
                 f*e,
                 pair.law->s()*along
               + max(f/distance, scalar(0))*(tensor::I - along)
@@ -137,7 +140,7 @@ void Foam::fsbi::bonds::endStep()
         bond& b = entry.second;
         if (now.isWall(adhesion_->surface(b.ligand)))
         {
-            b.anchor = end(now, b);
+            b.anchor = ends(now, entry).second();
         }
     }
     forAll(state_.slid, surface)
@@ -166,14 +169,16 @@ void Foam::fsbi::bonds::forget(const label bodyi)
             continue;
         }
         const Pair<point> at(ends(now, *b));
+        const vector& image = now.toImage(s.body);
         const bondPair& pair = adhesion_->pairs()[b->second.pair];
         const scalar length = pair.length(at.first(), at.second());
         left_.append
         (
             bondEvent
             {
-                begin, b->second.pair, b->first.first, b->first.second, false, length, pair.law->force(length),
-                at.first(), at.second()
+                begin, b->second.pair, b->first.first, b->first.second, false,
+                length, pair.law->force(length),
+                at.first() - image, at.second() - image
             }
         );
         b = state_.bonds.erase(b);

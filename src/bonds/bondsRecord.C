@@ -6,20 +6,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "bonds.H"
 #include "OStringStream.H"
 
-Foam::Pair<Foam::point> Foam::fsbi::bonds::ends
-(
-    const currentSurfaces& surfaces, const bondMap::value_type& bond
-) const
-{
-    const adhesion::siteSet& s = adhesion_->sets()[bond.first.first];
-    return
-    {
-        surfaces.position(s.body, s.sites[bond.first.second]),
-        end(surfaces, bond.second)
-    };
-}
-
-
 void Foam::fsbi::bonds::declare(recording& history) const
 {
     for (const bondPair& pair : adhesion_->pairs())

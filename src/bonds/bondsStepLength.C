@@ -35,7 +35,8 @@ Foam::scalar Foam::fsbi::bonds::stretchTime(const currentSurfaces& now) const
         const materialPoint& start = s.sites[entry.first.second];
         const label other = adhesion_->surface(b.ligand);
 
-        const vector d(end(now, b) - now.position(s.body, start));
+        const Pair<point> at(ends(now, entry));
+        const vector d(at.second() - at.first());
         const vector v(now.velocity(other, b.end) - now.velocity(s.body, start));
         const scalar speed = mag(v & d)/max(mag(d), VSMALL);
         longest = min

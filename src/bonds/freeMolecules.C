@@ -65,15 +65,25 @@ Foam::fsbi::molecule Foam::fsbi::freeMolecules::patch
 {
     const adhesion::population& p = adhesion_.populations()[population];
     const planeWall& wall = surfaces_.wall(p.surface);
-    const vector e1(currentSurfaces::along(wall.normal));
+    const vector e1(surfaces_.alongPeriod(wall.normal));
     const vector e2(wall.normal ^ e1);
-    const vector d(Foam::sqrt(p.density)*(x - slid_[p.surface]));
+    const vector d(x - slid_[p.surface]);
 
     counterRandom::stream offset(p.places.at(0, 0));
     offset.uniform();       // is of adhesion::population::unblocked()
-    const scalar i = (d & e1) + offset.uniform();
-    const scalar j = (d & e2) + offset.uniform();
-    return {population, label(std::floor(i)), label(std::floor(j))};
+    const scalar perLength = Foam::sqrt(p.density);
+    const auto number = [&](const vector& e)
+    {
+        // as many as fit between a place and its image, which are the same
+        const scalar period = surfaces_.period(e);
+        const label n = max(label(1), label(std::round(period*perLength)));
+        const scalar at =
+            (d & e)*(period > 0 ? n/period : perLength) + offset.uniform();
+        const label i = std::floor(at);
+        return period > 0 ? ((i % n) + n) % n : i;
+    };
+    const label i = number(e1);
+    return {population, i, number(e2)};
 }
 
 

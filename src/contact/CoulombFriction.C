@@ -86,7 +86,7 @@ Foam::fsbi::CoulombFriction::motions() const
         );
         moved[b] =
         {
-            now.centre, now.centre - before_[b].centre, turn, angleOf(turn)
+            now.centre - before_[b].centre, turn, angleOf(turn)
         };
     }
     return moved;
@@ -95,7 +95,7 @@ Foam::fsbi::CoulombFriction::motions() const
 
 void Foam::fsbi::CoulombFriction::join
 (
-    const UList<motion>& moved, loads::site& a, loads::site& b
+    const currentSurfaces& now, loads::site& a, loads::site& b
 ) const
 {
     if (b.body < 0)
@@ -104,19 +104,20 @@ void Foam::fsbi::CoulombFriction::join
     }
     const bool rigidA = !context_.bodies[a.body].deforms();
     const bool rigidB = !context_.bodies[b.body].deforms();
-    const point onA(moved[a.body].centre + a.arm);
-    const point onB(moved[b.body].centre + b.arm);
+    const point onA(now.centre(a.body) + a.arm);
+    const point itself(now.centre(b.body) + b.arm);
+    const point onB(now.nearestImage(itself, onA));
     const point at
     (
         rigidA && rigidB ? point(0.5*(onA + onB)) : rigidA ? onB : onA
     );
     if (rigidA)
     {
-        a.arm = at - moved[a.body].centre;
+        a.arm = at - now.centre(a.body);
     }
     if (rigidB)
     {
-        b.arm = at - moved[b.body].centre;
+        b.arm = at - (onB - itself) - now.centre(b.body);
     }
 }
 
@@ -144,7 +145,7 @@ Foam::vector Foam::fsbi::CoulombFriction::wayOf
             way +=
                 s.weights[k]
                *(
-                    there.points()[t[k]] - m.centre
+                    there.points()[t[k]] - now.centre(surface)
                   - m.turn.transform(points_[surface][t[k]])
                 );
         }
@@ -163,7 +164,7 @@ Foam::fsbi::loads::spring Foam::fsbi::CoulombFriction::between
 ) const
 {
     loads::spring s(normal);
-    join(moved, s.a, s.b);
+    join(now, s.a, s.b);
     const scalar pressing = mag(normal.force);
     const vector n(normal.force/max(pressing, VSMALL));
     slip =

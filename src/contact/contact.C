@@ -48,6 +48,15 @@ static void refuseRandomForces(const dictionary& dict)
 }
 
 
+static scalar longestEdge(const bodySurface& s, const triFace& t)
+{
+    const point& a = s.points()[t[0]];
+    const point& b = s.points()[t[1]];
+    const point& c = s.points()[t[2]];
+    return Foam::sqrt(max(magSqr(a - b), max(magSqr(b - c), magSqr(c - a))));
+}
+
+
 //- Normal of a body's described shape at a point of it
 static vector normalOf(const immersedBody& body, const point& on)
 {
@@ -146,14 +155,15 @@ bool Foam::fsbi::contact::face
     else if (context_.bodies[other].hasShape())
     {
         const immersedBody& body = context_.bodies[other];
-        const point on(body.onShape(f.site));
+        const point site(f.site - f.way - body.toImage());
+        const point on(body.onShape(site));
         f.normal = normalOf(body, on);
-        f.distance = (f.site - on) & f.normal;
+        f.distance = (site - on) & f.normal;
     }
     else
     {
         currentSurfaces::nearestPoint c;
-        if (!now.find(other, f.site, reach, c))
+        if (!now.findImage(other, f.way, f.site, reach, c))
         {
             return false;
         }
@@ -178,6 +188,7 @@ void Foam::fsbi::contact::divide
     const label body,
     const label other,
     const label triangle,
+    const vector& way,
     const scalar reach,
     const visitor& visit
 ) const
@@ -194,10 +205,11 @@ void Foam::fsbi::contact::divide
         const auto place = [&](const scalar k, const scalar m)
         {
             const point flat(origin + k*u + m*v);
-            return b.hasShape() ? b.onShape(flat) : flat;
+            return b.hasShape() ? b.onMeshedShape(flat) : flat;
         };
         facing f;
         f.triangle = triangle;
+        f.way = way;
         f.site = place(i + side/3, j + side/3);
         if (!face(now, other, reach, f))
         {
@@ -233,6 +245,43 @@ void Foam::fsbi::contact::divide
 }
 
 
+void Foam::fsbi::contact::searchImage
+(
+    const currentSurfaces& now,
+    const label body,
+    const label other,
+    const vector& way,
+    const scalar reach,
+    const visitor& visit
+) const
+{
+    const bodySurface& s = now.surface(body);
+    boundBox box(boundBox::greatBox);
+    if (!now.isWall(other))
+    {
+        box = now.surface(other).bounds();
+        box.min() += way;
+        box.max() += way;
+    }
+    forAll(s.triangles(), t)
+    {
+        // no point of a triangle is farther from its centre than two thirds of
+        // its longest edge, nor is the shape above it
+        const scalar near = reach + longestEdge(s, s.triangles()[t]);
+        boundBox around(box);
+        around.min() -= near*vector::one;
+        around.max() += near*vector::one;
+        facing f;
+        f.way = way;
+        f.site = now.centroid(body, t);
+        if (around.contains(f.site) && face(now, other, near, f))
+        {
+            divide(now, body, other, t, way, reach, visit);
+        }
+    }
+}
+
+
 void Foam::fsbi::contact::search
 (
     const currentSurfaces& now,
@@ -246,32 +295,28 @@ void Foam::fsbi::contact::search
     {
         return;
     }
-    const bodySurface& s = now.surface(body);
-    const auto longest = [&](const triFace& t)
+    if (now.isWall(other))
     {
-        const point& a = s.points()[t[0]];
-        const point& b = s.points()[t[1]];
-        const point& c = s.points()[t[2]];
-        return Foam::sqrt(max(magSqr(a - b), max(magSqr(b - c), magSqr(c - a))));
-    };
-    boundBox box(boundBox::greatBox);
-    if (!now.isWall(other))
-    {
-        box = now.surface(other).bounds();
+        searchImage(now, body, other, Zero, reach, visit);
+        return;
     }
-    forAll(s.triangles(), t)
+    const bodySurface& s = now.surface(body);
+    scalar longest = 0;
+    for (const triFace& t : s.triangles())
     {
-        // no point of a triangle is farther from its centre than two thirds of
-        // its longest edge, nor is the shape above it
-        const scalar near = reach + longest(s.triangles()[t]);
-        boundBox around(box);
-        around.min() -= near*vector::one;
-        around.max() += near*vector::one;
-        facing f;
-        f.site = now.centroid(body, t);
-        if (around.contains(f.site) && face(now, other, near, f))
+        longest = max(longest, longestEdge(s, t));
+    }
+    boundBox around(s.bounds());
+    around.min() -= (reach + longest)*vector::one;
+    around.max() += (reach + longest)*vector::one;
+    for (const vector& way : now.ways(body == other))
+    {
+        boundBox box(now.surface(other).bounds());
+        box.min() += way;
+        box.max() += way;
+        if (around.overlaps(box))
         {
-            divide(now, body, other, t, reach, visit);
+            searchImage(now, body, other, way, reach, visit);
         }
     }
 }
@@ -292,7 +337,7 @@ Foam::fsbi::loads::spring Foam::fsbi::contact::pressing
         const bodySurface& surface = now.surface(on);
         return loads::site
         {
-            on, tri, x - context_.bodies[on].placed().centre,
+            on, tri, x - now.centre(on),
             tri < 0
           ? vector::one/3
           : materialPoint::nearest
@@ -306,7 +351,7 @@ Foam::fsbi::loads::spring Foam::fsbi::contact::pressing
     {
         site(body, f.triangle, f.site),
         now.isWall(other)
-      ? loads::site() : site(other, f.otherTriangle, f.nearest),
+      ? loads::site() : site(other, f.otherTriangle, f.nearest - f.way),
         k*(1 - 3/sqr(s) + 2/pow3(s))*f.normal,
         6*k*(1 - s)/(pow4(s)*range_)*tensor(sqr(f.normal))
     };
@@ -323,14 +368,11 @@ void Foam::fsbi::contact::visitAll
     {
         for (label b = 0; b < now.size(); ++b)
         {
-            if (a != b)
-            {
-                search
-                (
-                    now, a, b, gap_ + range_,
-                    [&](const facing& f) { visit(a, b, f); }
-                );
-            }
+            search
+            (
+                now, a, b, gap_ + range_,
+                [&](const facing& f) { visit(a, b, f); }
+            );
         }
     }
 }
@@ -380,10 +422,6 @@ Foam::scalar Foam::fsbi::contact::smallest(string& names) const
     {
         for (label b = 0; b < now.size(); ++b)
         {
-            if (a == b)
-            {
-                continue;
-            }
             search
             (
                 now, a, b, gap_ + nearest, [&](const facing& f)

@@ -81,6 +81,58 @@ Foam::List<Foam::vector> Foam::fsbi::currentSurfaces::ways
 }
 
 
+Foam::point Foam::fsbi::currentSurfaces::nearestImage
+(
+    const point& y, const point& x
+) const
+{
+    point nearest(y);
+    for (const vector& way : context_.images)
+    {
+        if (magSqr(y + way - x) < magSqr(nearest - x))
+        {
+            nearest = y + way;
+        }
+    }
+    return nearest;
+}
+
+
+Foam::scalar Foam::fsbi::currentSurfaces::period
+(
+    const vector& direction
+) const
+{
+    scalar shortest = GREAT;
+    for (const vector& way : context_.images)
+    {
+        if (mag(way ^ direction) < 1e-6*mag(way)*mag(direction))
+        {
+            shortest = min(shortest, mag(way));
+        }
+    }
+    return shortest < GREAT ? shortest : 0;
+}
+
+
+Foam::vector Foam::fsbi::currentSurfaces::alongPeriod
+(
+    const vector& normal
+) const
+{
+    vector shortest(Zero);
+    for (const vector& way : context_.images)
+    {
+        const bool across = mag(way & normal) < 1e-6*mag(way);
+        if (across && (!mag(shortest) || mag(way) < 0.999*mag(shortest)))
+        {
+            shortest = way;
+        }
+    }
+    return mag(shortest) ? normalised(shortest) : along(normal);
+}
+
+
 const Foam::fsbi::surfaceDistance& Foam::fsbi::currentSurfaces::search
 (
     const label body
@@ -144,17 +196,47 @@ bool Foam::fsbi::currentSurfaces::find
         c = {mag(height), x - height*plane.normal, plane.normal, -1};
         return c.gap <= reach;
     }
-    if (!present(surface) || !search(surface).find(x, reach, c.gap, c.triangle))
+    if (!present(surface))
     {
         return false;
     }
-    const bodySurface& s = this->surface(surface);
+    bool some = findImage(surface, Zero, x, reach, c);
+    for (const vector& way : context_.images)
+    {
+        nearestPoint at;
+        if (findImage(surface, way, x, some ? c.gap : reach, at))
+        {
+            c = at;
+            some = true;
+        }
+    }
+    return some;
+}
+
+
+bool Foam::fsbi::currentSurfaces::findImage
+(
+    const label body,
+    const vector& way,
+    const point& x,
+    const scalar reach,
+    nearestPoint& c
+) const
+{
+    const point p(x - way);
+    if (!search(body).find(p, reach, c.gap, c.triangle))
+    {
+        return false;
+    }
+    const bodySurface& s = surface(body);
     const triPointRef corners(s.triangles()[c.triangle].tri(s.points()));
-    c.nearest = corners.nearestPoint(x).rawPoint();
+    const point on(corners.nearestPoint(p).rawPoint());
+    c.nearest = on + way;
+    c.way = way;
     // on the surface itself the direction is lost in round-off
     c.normal =
         c.gap > 1e-9*boundBox(s.points(), false).mag()
-      ? (x - c.nearest)/c.gap : corners.unitNormal();
+      ? (p - on)/c.gap : corners.unitNormal();
     return true;
 }
 
@@ -171,7 +253,7 @@ Foam::fsbi::materialPoint Foam::fsbi::currentSurfaces::there
     const bodySurface& s = this->surface(surface);
     return materialPoint::nearest
     (
-        c.triangle, c.nearest, s.points(), s.triangles()
+        c.triangle, c.nearest - c.way, s.points(), s.triangles()
     );
 }
 
@@ -188,7 +270,7 @@ Foam::fsbi::materialPoint Foam::fsbi::currentSurfaces::away
     nearestPoint at;
     const auto project = [&](const scalar rho)
     {
-        find(body, c.nearest + rho*direction, GREAT, at);
+        findImage(body, c.way, c.nearest + rho*direction, GREAT, at);
         return mag(at.nearest - x);
     };
 

@@ -35,7 +35,7 @@ static bool nearBody
 )
 {
     currentSurfaces::nearestPoint c;
-    if (!now.find(other, n.centre - way, reach, c))
+    if (!now.findImage(other, way, n.centre, reach, c))
     {
         return false;
     }
@@ -48,7 +48,7 @@ static bool nearBody
     const scalar side = (c.normal & outwards) < 0 ? -1 : 1;
     n.gap = side*c.gap;
     n.normal = side*c.normal;
-    n.nearest = c.nearest + way;
+    n.nearest = c.nearest;
     n.way = way;
     n.otherTriangle = c.triangle;
     return true;
