@@ -32,6 +32,7 @@ int main(int argc, char* argv[])
     Foam::fsbi::checkKinetics(c);
     Foam::fsbi::checkSpread(c);
     Foam::fsbi::checkEffect(c);
+    Foam::fsbi::checkImages(c);
     Foam::fsbi::checkDepletion(c);
     Foam::fsbi::checkStatistics(c);
     return c.finish();
