@@ -73,6 +73,17 @@ bool Foam::fsbi::loads::finite() const
 }
 
 
+Foam::scalar Foam::fsbi::loads::gross() const
+{
+    scalar sum = 0;
+    for (const spring& s : springs_)
+    {
+        sum += mag(s.force);
+    }
+    return sum;
+}
+
+
 bool Foam::fsbi::loads::empty() const
 {
     for (const sixVector& force : force_)
