@@ -81,23 +81,6 @@ Foam::List<Foam::vector> Foam::fsbi::currentSurfaces::ways
 }
 
 
-Foam::point Foam::fsbi::currentSurfaces::nearestImage
-(
-    const point& y, const point& x
-) const
-{
-    point nearest(y);
-    for (const vector& way : context_.images)
-    {
-        if (magSqr(y + way - x) < magSqr(nearest - x))
-        {
-            nearest = y + way;
-        }
-    }
-    return nearest;
-}
-
-
 Foam::scalar Foam::fsbi::currentSurfaces::period
 (
     const vector& direction

@@ -22,6 +22,23 @@ void Foam::fsbi::reportUnseen
 }
 
 
+Foam::point Foam::fsbi::effectContext::nearestImage
+(
+    const point& y, const point& x
+) const
+{
+    point nearest(y);
+    for (const vector& way : images)
+    {
+        if (magSqr(y + way - x) < magSqr(nearest - x))
+        {
+            nearest = y + way;
+        }
+    }
+    return nearest;
+}
+
+
 Foam::string Foam::fsbi::effectContext::unseenReason(const word& name) const
 {
     for (const unseenPatch& patch : unseen)

@@ -50,3 +50,14 @@ Foam::tensor Foam::fsbi::magneticFields::gradient
     }
     return sum;
 }
+
+
+bool Foam::fsbi::magneticFields::uniform() const
+{
+    bool all = true;
+    for (const magneticField& field : *this)
+    {
+        all = all && field.uniform();
+    }
+    return all;
+}

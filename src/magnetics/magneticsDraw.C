@@ -27,7 +27,7 @@ void Foam::fsbi::magnetics::draw
     boundBox box;
     for (const immersedBody& b : context_.bodies)
     {
-        const bodySurface surface(b.placedSurface());
+        const bodySurface surface(b.atImage(b.placedSurface()));
         const boundBox body(surface.points(), false);
         const vector margin(gridMargin*0.5*body.mag()*vector::one);
         box.add(body.min() - margin);

@@ -154,6 +154,7 @@ Foam::fsbi::magnetics::states() const
         state& s = all[i];
         const placement where(body(i).placed());
         s.x = where.centre;
+        s.there = s.x + body(i).toImage();
         s.R = where.orientation.R();
         s.B = s.givenB = givenB(s.x, t);
         s.gradient = s.givenGradient = givenGradient(s.x, t);

@@ -270,6 +270,51 @@ static void checkPair(checks& c)
 }
 
 
+//- Two magnets, the second one a way off, where its image is taken to be
+static void checkImages(checks& c)
+{
+    const vector period(20, 0, 0);
+    const std::string bodies
+    (
+        " interaction {} bodies {"
+        " first { type permanent; direction (1 0 0); moment 1e-12; }"
+        " second { type soft; susceptibility 3; semiAxes (1 2 4); } }"
+    );
+    const std::string fields("fields { up { type uniform; B (0 0 1e-3); } }");
+    magneticScene plain;
+    const auto magnets(plain.make(fields + bodies));
+    const sixVector turning(plain.at(magnets()).whole(0));
+    const vector pull(plain.at(magnets()).springs()[0].force);
+    const auto difference = [&](const label travelled, const label image)
+    {
+        magneticScene scene;
+        scene.addImages({period, -period});
+        scene[1].at.centre += travelled*period;
+        scene[1].setImage(image*period);
+        const auto there(scene.make(fields + bodies));
+        const loads l(scene.at(there()));
+        return max
+        (
+            mag(l.springs()[0].force - pull)/mag(pull),
+            mag(angular(l.whole(0)) - angular(turning))/mag(angular(turning))
+        );
+    };
+    // bound: round-off of coordinates of 100 over a distance of 4
+    c.checkBelow("two magnets: an image acts as the body", difference(1, 0), 1e-11);
+    c.checkBelow("one that has gone far, by its image", difference(5, -4), 1e-11);
+    c.check("bodies cross the sides of a periodic scene", magnets->periodic());
+    c.check
+    (
+        "but not in a field that differs from place to place",
+        !plain.make
+        (
+            "fields { pull { type gradient; centre (0 0 0); axis (1 0 0);"
+            " axial 2; } }" + bodies
+        )->periodic()
+    );
+}
+
+
 static void checkInduction(checks& c)
 {
     // two soft spheres in a field along their line: m = p (B + 2 k m/r^3)
@@ -355,6 +400,7 @@ void checkEffect(checks& c)
     checkEnergies(c);
     checkStiffness(c);
     checkPair(c);
+    checkImages(c);
     checkInduction(c);
     checkWrongEffects(c);
 }
