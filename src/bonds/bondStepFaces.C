@@ -35,9 +35,7 @@ Foam::labelList Foam::fsbi::bondStep::facesNear
     const label a, const label b, const vector& way, const scalar reach
 ) const
 {
-    boundBox box(surfaces_.surface(b).bounds());
-    box.min() += way - reach*vector::one;
-    box.max() += way + reach*vector::one;
+    const boundBox box(surfaces_.bounds(b, way, reach));
     DynamicList<label> near;
     forAll(surfaces_.surface(a).triangles(), triangle)
     {

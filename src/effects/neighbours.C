@@ -87,9 +87,7 @@ Foam::DynamicList<Foam::fsbi::neighbour> Foam::fsbi::neighbours
     }
     for (const vector& way : now.ways(body == other))
     {
-        boundBox box(now.surface(other).bounds());
-        box.min() += way - reach*vector::one;
-        box.max() += way + reach*vector::one;
+        const boundBox box(now.bounds(other, way, reach));
         if (!box.overlaps(now.surface(body).bounds()))
         {
             continue;

@@ -115,19 +115,20 @@ Foam::word Foam::fsbi::savedProcesses::at
 
 void Foam::fsbi::savedProcesses::checkLast(const label wanted) const
 {
-    struct { label number = 0; scalar time = 0; } last, own;
+    struct { label number = 0; word name; scalar time = 0; } last, own;
     for (const label n : {label(1), number_})
     {
         scalar time;
-        if (n && readScalar(latest(parts(path_, n)[0]), time))
+        const word name(n ? latest(parts(path_, n)[0]) : word());
+        if (readScalar(name, time))
         {
             if (n == wanted)
             {
-                own = {n, time};
+                own = {n, name, time};
             }
             if (time > last.time)
             {
-                last = {n, time};
+                last = {n, name, time};
             }
         }
     }
@@ -139,16 +140,16 @@ void Foam::fsbi::savedProcesses::checkLast(const label wanted) const
     if (own.number)
     {
         instead
-            << "To continue from time " << own.time << ", the last of "
+            << "To continue from time " << own.name << ", the last of "
             << processes(wanted).c_str() << ", write   startFrom startTime; startTime "
-            << own.time << ";   in system/controlDict";
+            << own.name << ";   in system/controlDict";
     }
     else
     {
         instead << "To begin anew, remove the states";
     }
     FatalErrorInFunction
-        << "The last saved state of this case, of time " << last.time
+        << "The last saved state of this case, of time " << last.name
         << ", is of " << processes(last.number).c_str() << ", the run of "
         << processes(wanted).c_str() << ". To continue from it, type"
         << "   fsbiRedistribute -np " << wanted << "   "
