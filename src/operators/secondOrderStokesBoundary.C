@@ -95,6 +95,18 @@ Foam::fsbi::secondOrderStokes::withTraction
 }
 
 
+Foam::scalar Foam::fsbi::secondOrderStokes::fluxPerPressure
+(
+    const label i
+) const
+{
+    const label facei = mesh_.nInternalFaces() + i;
+    return
+       -stabilisation_[mesh_.faceOwner()[facei]]
+       *mag(mesh_.faceAreas()[facei])/wall(facei).distance();
+}
+
+
 void Foam::fsbi::secondOrderStokes::addBoundaryFaces
 (
     const boundaryValues& b,

@@ -133,6 +133,24 @@ Foam::labelList Foam::fsbi::stokesOperator::wallPointsOn
 }
 
 
+void Foam::fsbi::stokesOperator::addPressure
+(
+    const label i, const scalar p, scalar* r, vector& traction
+) const
+{
+    const label facei = mesh_.nInternalFaces() + i;
+    const vector push(p*mesh_.faceAreas()[facei]);
+    const scalar flux = fluxPerPressure(i)*p;
+    scalar* row = r + 4*mesh_.faceOwner()[facei];
+    row[0] += push.x();
+    row[1] += push.y();
+    row[2] += push.z();
+    row[3] += flux;
+    boundaryFlux_[i] += flux;
+    traction -= push;
+}
+
+
 Foam::scalar Foam::fsbi::stokesOperator::wallCoeff(const label i) const
 {
     const label facei = mesh_.nInternalFaces() + i;

@@ -209,6 +209,25 @@ Foam::boolList Foam::fsbi::flowConditions::velocityGiven
 }
 
 
+Foam::scalarList Foam::fsbi::flowConditions::resistances
+(
+    const volVectorField& U
+) const
+{
+    scalarList found(mesh_.mesh().boundaryMesh().nNonProcessor(), Zero);
+    forAll(found, patchi)
+    {
+        const fvPatchVectorField& pf = U.boundaryField()[patchi];
+        if (isA<tractionCondition>(pf))
+        {
+            found[patchi] =
+                refCast<const tractionCondition>(pf).resistance();
+        }
+    }
+    return found;
+}
+
+
 Foam::string Foam::fsbi::flowConditions::asWall
 (
     const fvPatchVectorField& pf, planeWall& wall

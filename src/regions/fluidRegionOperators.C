@@ -61,7 +61,10 @@ void Foam::fsbi::fluidRegion::createOperators()
             schemes.curvedPatches.append(mesh_.bodyPatch(b));
         }
     }
-    momentum_->set(conditions_.velocityGiven(U_()), schemes);
+    momentum_->set
+    (
+        conditions_.velocityGiven(U_()), schemes, conditions_.resistances(U_())
+    );
     linkBodies();
     createSolver();
 }

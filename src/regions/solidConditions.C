@@ -72,8 +72,16 @@ Foam::fsbi::solidBoundary::kind Foam::fsbi::solidConditions::kindOf
     {
         return solidBoundary::coupled;
     }
-    if (isA<tractionCondition>(pf))
+    if (const auto* load = isA<tractionCondition>(pf))
     {
+        if (load->resistance())
+        {
+            FatalErrorInFunction
+                << "Patch '" << pf.patch().name() << "' of field D of body '"
+                << pf.patch().boundaryMesh().mesh().name() << "' has the entry"
+                << " 'resistance': nothing flows out of a solid. Give a"
+                << " 'pressure'" << exit(FatalError);
+        }
         return solidBoundary::traction;
     }
     if

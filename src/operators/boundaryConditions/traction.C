@@ -11,7 +11,8 @@ Foam::fsbi::traction::traction(const checkedDictionary& dict, const fvPatch&)
 :
     dead_(functionOfTime<vector>::optional(dict, "traction")),
     pressure_(functionOfTime<scalar>::optional(dict, "pressure")),
-    follower_(functionOfTime<vector>::optional(dict, "follower"))
+    follower_(functionOfTime<vector>::optional(dict, "follower")),
+    resistance_(dict.found("resistance") ? dict.positive("resistance") : 0)
 {}
 
 
@@ -47,6 +48,10 @@ void Foam::fsbi::traction::write(Ostream& os) const
     dead_.write(os);
     pressure_.write(os);
     follower_.write(os);
+    if (resistance_)
+    {
+        os.writeEntry("resistance", resistance_);
+    }
 }
 
 

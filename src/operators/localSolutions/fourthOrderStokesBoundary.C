@@ -259,6 +259,16 @@ void Foam::fsbi::fourthOrderStokes::addFaceWithTraction
 }
 
 
+Foam::scalar Foam::fsbi::fourthOrderStokes::fluxPerPressure
+(
+    const label i
+) const
+{
+    const label P = mesh_.faceOwner()[mesh_.nInternalFaces() + i];
+    return -stabilisationScale*stabilisation_[P]*wallCoeff(i)/mu_;
+}
+
+
 void Foam::fsbi::fourthOrderStokes::addBoundaryFaces
 (
     const boundaryValues& b,

@@ -42,10 +42,13 @@ Foam::fsbi::momentumEquation::~momentumEquation() = default;
 
 void Foam::fsbi::momentumEquation::set
 (
-    const boolList& velocityGiven, const stokesOperator::schemes& s
+    const boolList& velocityGiven,
+    const stokesOperator::schemes& s,
+    const scalarList& resistances
 )
 {
     viscous_ = stokesOperator::New(mesh_, law_(), velocityGiven, s);
+    ends_.reset(new endResistances(mesh_, resistances));
     for (momentumTerm& term : terms_)
     {
         term.renew();
@@ -165,6 +168,7 @@ void Foam::fsbi::momentumEquation::applyInCells
     derivative
   ? viscous_->applyDerivative(x, given, force_, r, traction)
   : viscous_->residual(x, given, force_, r, traction);
+    ends_->add(viscous_(), r, traction);
     forAll(rows_, i)
     {
         r[i] += rows_[i];
@@ -279,6 +283,7 @@ void Foam::fsbi::momentumEquation::restore
     scalarList r(x.size());
     vectorField traction(viscous_->nBoundaryFaces());
     viscous_->residual(x.cdata(), given, vectorField(), r.begin(), traction);
+    ends_->add(viscous_(), r.begin(), traction);
     for (momentumTerm& term : terms_)
     {
         term.restore(viscous_(), state.subOrEmptyDict(term.type()), x);
