@@ -10,10 +10,10 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include <queue>
 
 //- Accuracy of log|g|^2 that round-off allows
-static const Foam::scalar closeEnough = 2e-13;
+static const Foam::scalar symbolRoundOff = 2e-13;
 
 //- Parts looked at at most; a few hundred are usual
-static const Foam::label manyParts = 20000;
+static const Foam::label mostSymbolParts = 20000;
 
 namespace Foam
 {
@@ -105,8 +105,8 @@ Foam::scalar Foam::fsbi::SORSymbol::spectralRadius
     for
     (
         label i = 0;
-        i < manyParts && !parts.empty()
-     && parts.top().bound > best + closeEnough;
+        i < mostSymbolParts && !parts.empty()
+     && parts.top().bound > best + symbolRoundOff;
         ++i
     )
     {
@@ -118,7 +118,7 @@ Foam::scalar Foam::fsbi::SORSymbol::spectralRadius
                                  Pair<scalar>(middle, widest.b)})
         {
             const scalar bound = log2.bound(ends.first(), ends.second());
-            if (bound > best + closeEnough)
+            if (bound > best + symbolRoundOff)
             {
                 parts.push({bound, ends.first(), ends.second()});
             }

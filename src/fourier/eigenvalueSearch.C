@@ -7,10 +7,10 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "jacobiSymbol.H"
 
 //- Accuracy that round-off allows
-static const Foam::scalar closeEnough = 1e-14;
+static const Foam::scalar eigenvalueRoundOff = 1e-14;
 
 //- Parts looked at in one box at most (a second)
-static const Foam::label manyParts = 200000;
+static const Foam::label mostEigenvalueParts = 200000;
 
 
 Foam::fsbi::eigenvalueSearch::eigenvalueSearch
@@ -47,7 +47,7 @@ void Foam::fsbi::eigenvalueSearch::add
         best_ = max(best_, symmetricEigenvalues(matrix_(at).value).z());
     }
     bound += remainder_(half);
-    if (bound > best_ + closeEnough)
+    if (bound > best_ + eigenvalueRoundOff)
     {
         parts_.push({centre, half, bound});
     }
@@ -57,10 +57,10 @@ void Foam::fsbi::eigenvalueSearch::add
 void Foam::fsbi::eigenvalueSearch::search(const boundBox& box)
 {
     add(box.centre(), box.span()/2);
-    for (label i = 0; i < manyParts && !parts_.empty(); ++i)
+    for (label i = 0; i < mostEigenvalueParts && !parts_.empty(); ++i)
     {
         const part widest = parts_.top();
-        if (widest.bound <= best_ + closeEnough)
+        if (widest.bound <= best_ + eigenvalueRoundOff)
         {
             break;
         }

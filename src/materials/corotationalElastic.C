@@ -13,9 +13,6 @@ namespace fsbi
     defineTypeNameAndDebug(corotationalElastic, 0);
     addToRunTimeSelectionTable(solidMaterial, corotationalElastic, entries);
 
-    //- Change of a length or a volume from which on Hooke's law is far off
-    static const scalar notSmall = 0.1;
-
     //- Last change of R: the iteration squares it, to below round-off
     static const scalar squaresToRoundOff = 1e-8;
 
@@ -135,7 +132,7 @@ Foam::string Foam::fsbi::corotationalElastic::warning
     const scalar minJ, const scalar minStretch
 ) const
 {
-    if (minStretch > 1 - notSmall && mag(minJ - 1) < notSmall)
+    if (small(minJ, minStretch))
     {
         return string();
     }

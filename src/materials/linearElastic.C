@@ -12,9 +12,6 @@ namespace fsbi
 {
     defineTypeNameAndDebug(linearElastic, 0);
     addToRunTimeSelectionTable(solidMaterial, linearElastic, entries);
-
-    //- Change of a length or a volume from which on Hooke's law is far off
-    static const scalar notSmall = 0.1;
 }
 }
 
@@ -92,7 +89,7 @@ Foam::string Foam::fsbi::linearElastic::warning
     const scalar minJ, const scalar minStretch
 ) const
 {
-    if (minStretch > 1 - notSmall && mag(minJ - 1) < notSmall)
+    if (small(minJ, minStretch))
     {
         return string();
     }

@@ -20,9 +20,6 @@ static const scalar reachOfEdges = 1.5;
 //- Longest edges over the gap: cells across it would be too flat
 static const scalar longestInGap = 3;
 
-//- Times that a triangle can be cut: 1/256 of the edges
-static const label mostCuts = 8;
-
 
 class bodyInGap
 {
@@ -151,7 +148,7 @@ private:
 
 Foam::scalar Foam::fsbi::narrowestGap(const scalar edge)
 {
-    return edge/(1 << mostCuts)/longestInGap;
+    return edge/(1 << redGreen::mostCuts)/longestInGap;
 }
 
 
@@ -172,7 +169,7 @@ Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::refinedInGaps
         fine.set(b, new bodyInGap(bodies[b], shapes[b]));
     }
     bool again = gapSag > 0;
-    for (label cuts = 0; again && cuts < mostCuts; ++cuts)
+    for (label cuts = 0; again && cuts < redGreen::mostCuts; ++cuts)
     {
         PtrList<surfaceDistance> distances(bodies.size());
         forAll(fine, b)

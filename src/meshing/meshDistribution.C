@@ -65,17 +65,6 @@ static void halve
 }
 
 
-static face renumbered(const face& f, const labelList& localPoint)
-{
-    face result(f.size());
-    forAll(f, i)
-    {
-        result[i] = localPoint[f[i]];
-    }
-    return result;
-}
-
-
 // The smallest cell of those that cyclic faces join, directly or by others
 static label first(labelList& joined, label cell)
 {
@@ -190,7 +179,7 @@ void Foam::fsbi::meshDistribution::selectFaces
         const label n = localCell[whole.neighbour[f]];
         if (o >= 0 && n >= 0)
         {
-            part.faces.append(renumbered(whole.faces[f], localPoint));
+            part.faces.append(renumber(localPoint, whole.faces[f]));
             part.owner.append(o);
             part.neighbour.append(n);
             part.numbers.append(f);
@@ -204,7 +193,7 @@ void Foam::fsbi::meshDistribution::selectFaces
         {
             if (localCell[whole.owner[f]] >= 0)
             {
-                part.faces.append(renumbered(whole.faces[f], localPoint));
+                part.faces.append(renumber(localPoint, whole.faces[f]));
                 part.owner.append(localCell[whole.owner[f]]);
                 part.numbers.append(f);
             }
@@ -274,7 +263,7 @@ void Foam::fsbi::meshDistribution::addProcessorPatches
         for (const label f : other.second)
         {
             const bool owner = cellRank[whole.owner[f]] == me;
-            const face local(renumbered(whole.faces[f], localPoint));
+            const face local(renumber(localPoint, whole.faces[f]));
             part.faces.append(owner ? local : local.reverseFace());
             part.owner.append
             (

@@ -17,17 +17,6 @@ static bool isProcessor(const dictionary& patch)
 }
 
 
-static face renumbered(const face& f, const labelList& numbers)
-{
-    face result(f.size());
-    forAll(f, i)
-    {
-        result[i] = numbers[f[i]];
-    }
-    return result;
-}
-
-
 static void joinPart(const meshPiece& part, meshLists& whole)
 {
     const meshLists& mesh = part.mesh;
@@ -44,7 +33,7 @@ static void joinPart(const meshPiece& part, meshLists& whole)
             // of a cut face the owner's side comes from the owner's part
             neighbour = inner ? part.cells[mesh.neighbour[facei]] : owner;
             owner = c;
-            whole.faces[g] = renumbered(mesh.faces[facei], part.points);
+            whole.faces[g] = renumber(part.points, mesh.faces[facei]);
         }
         else
         {

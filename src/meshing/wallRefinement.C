@@ -15,9 +15,6 @@ namespace fsbi
 //- Longest edge over what is wanted
 static const scalar longest = 1.5;
 
-//- Times that a triangle can be cut: as the bodies'
-static const label mostCuts = 8;
-
 static bool tooLarge
 (
     const triFace& t, const UList<point>& points, const sizeFunction& size
@@ -44,7 +41,7 @@ Foam::fsbi::domainBoundary Foam::fsbi::refinedFor
         walls.surface.points(), walls.surface.triangles(),
         [](const point& middle) { return middle; }
     );
-    for (label cuts = 0; cuts < mostCuts; ++cuts)
+    for (label cuts = 0; cuts < redGreen::mostCuts; ++cuts)
     {
         boolList marked(fine.triangles().size(), false);
         bool any = false;

@@ -12,7 +12,7 @@ namespace Foam
 
 //- A field that is zero so far, or as saved
 template<class FieldType, class Mesh>
-static FieldType zero
+static FieldType zeroField
 (
     const word& name,
     const Mesh& mesh,
@@ -42,17 +42,17 @@ Foam::fsbi::solidFields::solidFields
 :
     mesh_(mesh),
     stencil_(mesh),
-    sigma_(zero<volSymmTensorField>("sigma", mesh, dimPressure)),
-    sigmaEq_(zero<volScalarField>("sigmaEq", mesh, dimPressure)),
-    epsilon_(zero<volSymmTensorField>("epsilon", mesh, dimless)),
-    J_(zero<volScalarField>("J", mesh, dimless)),
+    sigma_(zeroField<volSymmTensorField>("sigma", mesh, dimPressure)),
+    sigmaEq_(zeroField<volScalarField>("sigmaEq", mesh, dimPressure)),
+    epsilon_(zeroField<volSymmTensorField>("epsilon", mesh, dimless)),
+    J_(zeroField<volScalarField>("J", mesh, dimless)),
     pointD_
     (
-        zero<pointVectorField>("pointD", pointMesh::New(mesh), dimLength, saved)
+        zeroField<pointVectorField>("pointD", pointMesh::New(mesh), dimLength, saved)
     ),
     pointSigma_
     (
-        zero<pointSymmTensorField>
+        zeroField<pointSymmTensorField>
         (
             "pointSigma", pointMesh::New(mesh), dimPressure
         )
@@ -214,7 +214,7 @@ void Foam::fsbi::solidFields::setStress
 
 void Foam::fsbi::solidFields::setParts(const labelUList& ofCells)
 {
-    part_.reset(new volScalarField(zero<volScalarField>("part", mesh_, dimless)));
+    part_.reset(new volScalarField(zeroField<volScalarField>("part", mesh_, dimless)));
     std::copy(ofCells.begin(), ofCells.end(), part_->primitiveFieldRef().begin());
 }
 

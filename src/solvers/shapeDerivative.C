@@ -13,7 +13,7 @@ namespace fsbi
 
 //- Sum over all processors
 template<class Type>
-static void sum(Field<Type>& values)
+static void sumAll(Field<Type>& values)
 {
     Pstream::listCombineGather(values, plusEqOp<Type>());
     Pstream::listCombineScatter(values);
@@ -54,9 +54,9 @@ Foam::fsbi::shapeDerivative::shapeDerivative
             shares[number] += 1;
         }
     }
-    sum(gradients_);
-    sum(stresses_);
-    sum(shares);
+    sumAll(gradients_);
+    sumAll(stresses_);
+    sumAll(shares);
     // none of a body that is not in the domain
     shares = max(shares, scalar(1));
     gradients_ /= shares;

@@ -13,14 +13,14 @@ namespace fsbi
 {
 
 //- Part of the largest flux that is no more than digits
-static const scalar digits = 1e-12;
+static const scalar fluxDigits = 1e-12;
 
 //- By how much what is missing in cells falls in a correction; the second one
 //  begins with what digits the first has left
 static const scalar fall = 1e-10;
 static const label corrections = 2;
 
-static const label mostIterations = 3000;
+static const label mostFluxIterations = 3000;
 
 } // End namespace fsbi
 } // End namespace Foam
@@ -133,7 +133,7 @@ void Foam::fsbi::relativeFlux::closeWalls()
         const label start = pp.start() - mesh.nInternalFaces();
         for (label i = start; i < start + pp.size(); ++i)
         {
-            if (closed || mag(boundary_[i]) <= digits*largest)
+            if (closed || mag(boundary_[i]) <= fluxDigits*largest)
             {
                 boundary_[i] = 0;
             }
@@ -211,7 +211,7 @@ void Foam::fsbi::relativeFlux::correct(const scalarField& missing)
     scalarField q(n, Zero);
     if (gMax(mag(missing)()) > 0)
     {
-        matrix.solve(q, missing, fall, mostIterations);
+        matrix.solve(q, missing, fall, mostFluxIterations);
     }
     q.setSize(n + stencil_.halo().size(), 0);
     stencil_.halo().fill(q.data(), 1);

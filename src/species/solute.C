@@ -13,7 +13,7 @@ namespace fsbi
 {
 
 //- Part by which the highest concentration may be passed: digits
-static const scalar digits = 1e-14;
+static const scalar concentrationDigits = 1e-14;
 
 //- Level amounts out to concentrations from 0 to the highest; the amount moved
 static scalar level
@@ -62,7 +62,7 @@ Foam::scalar Foam::fsbi::solute::highest() const
     {
         c = surface.raises() ? GREAT : max(c, surface.inflowing());
     }
-    return (1 + digits)*c;
+    return (1 + concentrationDigits)*c;
 }
 
 

@@ -25,7 +25,7 @@ static const label maxRefinements = 30;
 static const scalar smallestPart = 1e-3, converged = 1e-6, noGain = 1e-6;
 
 //- Springs with which displacements are compared
-static const scalar soft = 0.1;
+static const scalar softAtFirst = 0.1;
 
 static identification& of(void* p)
 {
@@ -270,7 +270,7 @@ void Foam::fsbi::identification::find(const scalar springs)
     if (tractions_)
     {
         // for the misfit of displacement
-        body_.setSprings(soft, modulus());
+        body_.setSprings(softAtFirst, modulus());
         body_.setLaw(law());
         if (!displacementResidual(residual_))
         {

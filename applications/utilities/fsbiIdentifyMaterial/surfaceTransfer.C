@@ -17,7 +17,7 @@ namespace fsbi
 {
 
 //- Points that a plane is fitted to, at least
-static const label planePoints = 9;
+static const label pointsOfPlane = 9;
 
 //- Points that a surface with six coefficients is fitted to
 static const label curvedPoints = 14;
@@ -199,7 +199,7 @@ void Foam::fsbi::surfaceTransfer::setFaces()
         {
             inside += magSqr(p - x) < within;
         }
-        const labelList near(nearest(points, x, max(planePoints, inside)));
+        const labelList near(nearest(points, x, max(pointsOfPlane, inside)));
         const scalarList weights(fit(points, near, x, false));
         forAll(near, j)
         {
