@@ -5,7 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyMesher.H"
 #include "cellEstimate.H"
-#include "gmshModel.H"
+#include "volumeMesher.H"
 #include "meshAssembly.H"
 #include "meshingAttempts.H"
 #include "serialScope.H"
@@ -122,14 +122,14 @@ Foam::fsbi::meshLists Foam::fsbi::bodyMesher::meshOnce
 ) const
 {
     meshLists mesh;
-    gmshModel model(surface.bounds().mag());
-    model.addSurface(surface);
+    autoPtr<volumeMesher> model(volumeMesher::New(surface.bounds().mag()));
+    model->addSurface(surface);
     for (const bodySurface& part : parts)
     {
-        model.addPart(part);
+        model->addPart(part);
     }
     List<FixedList<label, 4>> tetrahedra;
-    mesh.failure = model.generate(size, settings, mesh.points, tetrahedra);
+    mesh.failure = model->generate(size, settings, mesh.points, tetrahedra);
     if (mesh.valid())
     {
         DynamicList<boundaryTriangle> boundary;

@@ -5,7 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "conformalMesher.H"
 #include "cellEstimate.H"
-#include "gmshModel.H"
+#include "volumeMesher.H"
 #include "meshingAttempts.H"
 #include "serialScope.H"
 #include "sizeField.H"
@@ -224,7 +224,7 @@ Foam::fsbi::conformalMesher::boundaryOf
 (
     const UList<bodySurface>& bodies,
     const domainBoundary& given,
-    const gmshModel& model,
+    const volumeMesher& model,
     meshLists& mesh
 ) const
 {
@@ -282,22 +282,22 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
     {
         return mesh;
     }
-    gmshModel model(walls.bounds().mag());
+    autoPtr<volumeMesher> model(volumeMesher::New(walls.bounds().mag()));
     for (const bodySurface& body : bodies)
     {
-        model.addSurface(body);
+        model->addSurface(body);
     }
     if (given.patches.size())
     {
-        model.addSurface(given.surface);
+        model->addSurface(given.surface);
     }
     else
     {
-        addPieces(shift, model);
+        addPieces(shift, model());
     }
 
     List<FixedList<label, 4>> tetrahedra;
-    mesh.failure = model.generate
+    mesh.failure = model->generate
     (
         std::cref(size), settings, mesh.points, tetrahedra
     );
@@ -308,7 +308,7 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
 
     assembleMesh
     (
-        mesh, std::move(tetrahedra), boundaryOf(bodies, given, model, mesh),
+        mesh, std::move(tetrahedra), boundaryOf(bodies, given, model(), mesh),
         domain_.boundaryMesh().size() + bodies.size()
     );
     cyclics_.order(mesh);

@@ -6,7 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 // The boundary of the domain: what of it bodies may not cross, and where it is bent
 
 #include "conformalMesher.H"
-#include "gmshModel.H"
+#include "volumeMesher.H"
 #include "sideClearance.H"
 #include "sizeField.H"
 #include "mergePoints.H"
@@ -136,10 +136,10 @@ Foam::fsbi::domainBoundary Foam::fsbi::conformalMesher::bentBoundary
     string& failure
 ) const
 {
-    gmshModel model(walls_.surface.bounds().mag());
-    addPieces(shift, model);
+    autoPtr<volumeMesher> model(volumeMesher::New(walls_.surface.bounds().mag()));
+    addPieces(shift, model());
     pointField points;
-    failure = model.generateSurfaces
+    failure = model->generateSurfaces
     (
         [&](const point& p) { return size(cell(p))/cell.stretch(p); },
         settings, points
@@ -152,7 +152,7 @@ Foam::fsbi::domainBoundary Foam::fsbi::conformalMesher::bentBoundary
     DynamicList<label> patches;
     for (label piece = 0; piece < outline_.nPieces(); ++piece)
     {
-        for (const triFace& t : model.pieceTriangles(piece))
+        for (const triFace& t : model->pieceTriangles(piece))
         {
             triangles.append(t);
             patches.append(outline_.patch(piece));
@@ -214,7 +214,7 @@ Foam::fsbi::domainBoundary Foam::fsbi::conformalMesher::givenBoundary
 
 void Foam::fsbi::conformalMesher::addPieces
 (
-    const vector& shift, gmshModel& model
+    const vector& shift, volumeMesher& model
 ) const
 {
     model.addOutline(domain_, outline_, shift);

@@ -4,11 +4,21 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "gmshModel.H"
+#include "addToRunTimeSelectionTable.H"
 #include "meshingAttempts.H"
 
 #include <algorithm>
 #include <cmath>
 #include <gmsh.h>
+
+namespace Foam
+{
+namespace fsbi
+{
+    defineTypeNameAndDebug(gmshModel, 0);
+    addToRunTimeSelectionTable(volumeMesher, gmshModel, entries);
+}
+}
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

@@ -1,0 +1,46 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "volumeMesher.H"
+#include "OSspecific.H"
+#include "error.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+defineTypeNameAndDebug(volumeMesher, 0);
+defineRunTimeSelectionTable(volumeMesher, entries);
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+Foam::autoPtr<Foam::fsbi::volumeMesher> Foam::fsbi::volumeMesher::New
+(
+    const scalar diameter
+)
+{
+    const word mesher("gmsh");
+    const auto known = [&mesher]()
+    {
+        return
+            entriesConstructorTablePtr_
+         && entriesConstructorTablePtr_->found(mesher);
+    };
+    if (!known())
+    {
+        dlOpen("libfsbiGmsh.so", true);
+    }
+    if (!known())
+    {
+        FatalErrorInFunction
+            << "The library libfsbiGmsh.so, which meshes, cannot be loaded."
+            << " Is gmsh's library there? Run Allwmake again"
+            << exit(FatalError);
+    }
+    return (*entriesConstructorTablePtr_)[mesher](diameter);
+}
