@@ -21,14 +21,6 @@ static const wordList ours
     "thermalMotion", "weight"
 });
 
-//- bonds -> libfsbiBonds.so
-static void loadLibraryOf(const word& type)
-{
-    std::string name(type);
-    name[0] = std::toupper(name[0]);
-    dlOpen("libfsbi" + name + ".so", true);
-}
-
 } // End namespace fsbi
 } // End namespace Foam
 

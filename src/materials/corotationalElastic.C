@@ -132,7 +132,7 @@ Foam::string Foam::fsbi::corotationalElastic::warning
     const scalar minJ, const scalar minStretch
 ) const
 {
-    if (small(minJ, minStretch))
+    if (smallStrain(minJ, minStretch))
     {
         return string();
     }

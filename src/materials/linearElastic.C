@@ -89,7 +89,7 @@ Foam::string Foam::fsbi::linearElastic::warning
     const scalar minJ, const scalar minStretch
 ) const
 {
-    if (small(minJ, minStretch))
+    if (smallStrain(minJ, minStretch))
     {
         return string();
     }

@@ -4,8 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "volumeMesher.H"
-#include "OSspecific.H"
-#include "error.H"
+#include "loadLibraries.H"
 
 namespace Foam
 {
@@ -24,23 +23,13 @@ Foam::autoPtr<Foam::fsbi::volumeMesher> Foam::fsbi::volumeMesher::New
     const scalar diameter
 )
 {
-    const word mesher("gmsh");
-    const auto known = [&mesher]()
-    {
-        return
-            entriesConstructorTablePtr_
-         && entriesConstructorTablePtr_->found(mesher);
-    };
-    if (!known())
-    {
-        dlOpen("libfsbiGmsh.so", true);
-    }
-    if (!known())
+    loadLibraryOf("gmsh");
+    if (!entriesConstructorTablePtr_)
     {
         FatalErrorInFunction
             << "The library libfsbiGmsh.so, which meshes, cannot be loaded."
             << " Is gmsh's library there? Run Allwmake again"
             << exit(FatalError);
     }
-    return (*entriesConstructorTablePtr_)[mesher](diameter);
+    return (*entriesConstructorTablePtr_)["gmsh"](diameter);
 }

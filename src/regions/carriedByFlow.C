@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "carriedByFlow.H"
+#include "loadLibraries.H"
 #include "OSspecific.H"
 #include "Pstream.H"
 #include "Time.H"
@@ -36,7 +37,7 @@ Foam::autoPtr<Foam::fsbi::carriedByFlow> Foam::fsbi::carriedByFlow::New
     const fluidRegion& fluid, const dictionary& saved
 )
 {
-    dlOpen("libfsbiSpecies.so", true);
+    loadLibraryOf(species);
     if (!fileConstructorTablePtr_ || !fileConstructorTablePtr_->found(species))
     {
         FatalErrorInFunction

@@ -38,9 +38,8 @@ Limitations
 using namespace Foam;
 using namespace Foam::fsbi;
 
-//- Springs that leave the displacement to the law, that hardly know of single
-//  displacements, and that give it
-static const scalar soft = 0.1, softer = 1e-3, stiff = 1e3;
+//- Springs that hardly know of single displacements
+static const scalar softer = 1e-3;
 
 static IOdictionary caseDictionary
 (
@@ -267,7 +266,9 @@ int main(int argc, char *argv[])
     const scalar springs =
         entries.positive
         (
-            "springs", tractions ? stiff : norm.robust() ? softer : soft
+            "springs",
+            tractions ? loadedBody::stiff
+          : norm.robust() ? softer : loadedBody::soft
         );
     const scalar confidence = entries.positive("confidence", 0.95);
     const bool roughness = !entries.found("tractionError");

@@ -24,9 +24,6 @@ static const int maxIterations = 60;
 static const label maxRefinements = 30;
 static const scalar smallestPart = 1e-3, converged = 1e-6, noGain = 1e-6;
 
-//- Springs with which displacements are compared
-static const scalar softAtFirst = 0.1;
-
 static identification& of(void* p)
 {
     return *static_cast<identification*>(p);
@@ -270,7 +267,7 @@ void Foam::fsbi::identification::find(const scalar springs)
     if (tractions_)
     {
         // for the misfit of displacement
-        body_.setSprings(softAtFirst, modulus());
+        body_.setSprings(loadedBody::soft, modulus());
         body_.setLaw(law());
         if (!displacementResidual(residual_))
         {

@@ -13,9 +13,6 @@ namespace Foam
 namespace fsbi
 {
 
-//- Springs that give the displacement
-static const scalar stiffSprings = 1e3;
-
 static const char* const columns =
     "constant,value,lowest,highest,deviation,atLimit";
 
@@ -160,7 +157,7 @@ void Foam::fsbi::reportMisfits
     const scalar misfit = found.misfit(), noise = found.noise();
     const scalar model = Foam::sqrt(max(0, sqr(misfit) - sqr(noise)));
     const scalar ratio = found.springs();
-    body.setSprings(stiffSprings, found.modulus());
+    body.setSprings(loadedBody::stiff, found.modulus());
     body.setLaw(found.law());
     vectorField u;
     const bool solved = body.solve(u);

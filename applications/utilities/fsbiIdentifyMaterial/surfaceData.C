@@ -23,9 +23,8 @@ static const string header("x,y,z,ux,uy,uz,tx,ty,tz");
 //- Of tractions on a deformed surface, as fsbiResistance writes them
 static const string tractionHeader("x,y,z,tx,ty,tz");
 
-//- Points that the plane of a traction is fitted to, and how far the nearest may
-//  be, over the distance of these points
-static const label planePoints = 9;
+//- How far the nearest point may be, over the distance of those that the plane of
+//  a traction is fitted to
 static const scalar farthest = 2;
 
 //- Below this a surface is not one
@@ -160,7 +159,10 @@ void Foam::fsbi::surfaceData::readTractions(const fileName& file)
         const point now(x[i] + u[i]);
         const labelList near
         (
-            surfaceTransfer::nearest(points, now, planePoints)
+            surfaceTransfer::nearest
+            (
+                points, now, surfaceTransfer::planePoints
+            )
         );
         const point& closest = points[near[0]];
         if (mag(closest - now) > farthest*mag(points[near.last()] - closest))

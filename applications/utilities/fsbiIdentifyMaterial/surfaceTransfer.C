@@ -16,9 +16,6 @@ namespace Foam
 namespace fsbi
 {
 
-//- Points that a plane is fitted to, at least
-static const label pointsOfPlane = 9;
-
 //- Points that a surface with six coefficients is fitted to
 static const label curvedPoints = 14;
 
@@ -199,7 +196,7 @@ void Foam::fsbi::surfaceTransfer::setFaces()
         {
             inside += magSqr(p - x) < within;
         }
-        const labelList near(nearest(points, x, max(pointsOfPlane, inside)));
+        const labelList near(nearest(points, x, max(label(planePoints), inside)));
         const scalarList weights(fit(points, near, x, false));
         forAll(near, j)
         {

@@ -4,37 +4,28 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "endResistances.H"
-#include <algorithm>
 
 Foam::fsbi::endResistances::endResistances
 (
-    const fvMesh& mesh, const scalarList& perFlux
+    const fvMesh& mesh, const scalarList& resistances
 )
-:
-    mesh_(mesh),
-    perFlux_(perFlux),
-    any_
-    (
-        std::any_of
-        (
-            perFlux.begin(), perFlux.end(), [](const scalar R) { return R > 0; }
-        )
-    )
-{}
-
-
-template<class Visitor>
-void Foam::fsbi::endResistances::forFaces
-(
-    const label patchi, const Visitor& visitor
-) const
 {
-    const polyPatch& pp = mesh_.boundaryMesh()[patchi];
-    const label start = pp.start() - mesh_.nInternalFaces();
-    for (label i = start; perFlux_[patchi] > 0 && i < start + pp.size(); ++i)
+    forAll(resistances, patchi)
     {
-        visitor(i);
+        const polyPatch& pp = mesh.boundaryMesh()[patchi];
+        if (resistances[patchi] > 0)
+        {
+            ends_.append
+            (
+                end
+                {
+                    resistances[patchi],
+                    labelRange(pp.start() - mesh.nInternalFaces(), pp.size())
+                }
+            );
+        }
     }
+    sums_.setSize(2*ends_.size());
 }
 
 
@@ -43,28 +34,27 @@ void Foam::fsbi::endResistances::add
     const stokesOperator& stokes, scalar* r, vectorField& traction
 ) const
 {
-    if (!any_)
+    if (ends_.empty())
     {
         return;
     }
-    const label n = perFlux_.size();
-    scalarList sums(2*n, Zero);
-    for (label patchi = 0; patchi < n; ++patchi)
+    sums_ = Zero;
+    forAll(ends_, e)
     {
-        forFaces(patchi, [&](const label i)
+        for (const label i : ends_[e].faces)
         {
-            sums[2*patchi] += stokes.boundaryFlux()[i];
-            sums[2*patchi + 1] += stokes.fluxPerPressure(i);
-        });
+            sums_[2*e] += stokes.boundaryFlux()[i];
+            sums_[2*e + 1] += stokes.fluxPerPressure(i);
+        }
     }
-    reduce(sums, sumOp<scalarList>());
-    for (label patchi = 0; patchi < n; ++patchi)
+    reduce(sums_, sumOp<scalarList>());
+    forAll(ends_, e)
     {
-        const scalar R = perFlux_[patchi];
-        const scalar p = R*sums[2*patchi]/(1 - R*sums[2*patchi + 1]);
-        forFaces(patchi, [&](const label i)
+        const scalar R = ends_[e].resistance;
+        const scalar p = R*sums_[2*e]/(1 - R*sums_[2*e + 1]);
+        for (const label i : ends_[e].faces)
         {
             stokes.addPressure(i, p, r, traction[i]);
-        });
+        }
     }
 }
