@@ -206,6 +206,12 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::generate
 )
 {
     readDomain();
+    if (withoutBodies_)
+    {
+        const bool here = Pstream::master();
+        replace(here ? domain_->lists() : meshLists(), {}, release);
+        return outcome();
+    }
     const List<vector> before(imagesTaken());
     chooseImages();
     meshLists whole;

@@ -41,6 +41,11 @@ void Foam::fsbi::fluidRegion::createOperators()
     const checkedDictionary entries(coupling);
     stokesOperator::schemes schemes;
     schemes.order = readOrder(entries);
+    if (mesh_.withoutBodies())
+    {
+        // nobody solves on it, and order 4 has no hexahedra
+        schemes.order = 2;
+    }
     schemes.linearFaces =
         entries.choice
         (

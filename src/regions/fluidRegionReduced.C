@@ -3,8 +3,8 @@ fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-// Steps by a table of resistances (reducedFlow): the mesh is one of the domain
-// alone, which nobody solves on but where the table is checked
+// Steps by a table of resistances (reducedFlow): the mesh is the domain's own, as
+// nobody solves on it; where the table is checked it is one around the body
 
 #include "fluidRegion.H"
 #include "bodyCoupling.H"
