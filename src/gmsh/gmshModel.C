@@ -126,13 +126,13 @@ std::vector<int> Foam::fsbi::gmshModel::add(const bodySurface& surface)
 
 void Foam::fsbi::gmshModel::addOutline
 (
-    const polyMesh& domain, const domainOutline& outline, const vector& shift
+    const domainOutline& outline, const vector& shift
 )
 {
     std::vector<int> corners, lines;
-    for (const label pointi : outline.corners())
+    for (const point& corner : outline.corners())
     {
-        const point p(scale_*(domain.points()[pointi] + shift));
+        const point p(scale_*(corner + shift));
         corners.push_back(gmsh::model::geo::addPoint(p.x(), p.y(), p.z()));
     }
     for (const labelPair& line : outline.lines())

@@ -194,7 +194,7 @@ Foam::fsbi::domainBoundary Foam::fsbi::conformalMesher::givenBoundary
     string& failure
 ) const
 {
-    if (outline_.curved())
+    if (!outline_.inPieces())
     {
         // far away they are as the background has them
         return refinedFor
@@ -217,7 +217,7 @@ void Foam::fsbi::conformalMesher::addPieces
     const vector& shift, volumeMesher& model
 ) const
 {
-    model.addOutline(domain_, outline_, shift);
+    model.addOutline(outline_, shift);
     cyclics_.forPieces
     (
         [&](const label piece, const label copy, const vector& translation)

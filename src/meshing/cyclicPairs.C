@@ -30,10 +30,7 @@ static point centre(const polyPatch& patch)
 
 
 // Mean of the corners of a piece: tells the copies of pieces apart
-static point middle
-(
-    const polyMesh& domain, const domainOutline& outline, const label piece
-)
+static point middle(const domainOutline& outline, const label piece)
 {
     point sum(Zero);
     label n = 0;
@@ -42,8 +39,8 @@ static point middle
         for (const label line : loop)
         {
             const labelPair& ends = outline.lines()[mag(line) - 1];
-            sum += domain.points()[outline.corners()[ends.first()]];
-            sum += domain.points()[outline.corners()[ends.second()]];
+            sum += outline.corners()[ends.first()];
+            sum += outline.corners()[ends.second()];
             n += 2;
         }
     }
@@ -68,13 +65,13 @@ void Foam::fsbi::cyclicPairs::matchPieces
         {
             continue;
         }
-        const point copy(middle(domain, outline, i) + p.translation);
+        const point copy(middle(outline, i) + p.translation);
         for (label j = 0; j < outline.nPieces(); ++j)
         {
             if
             (
                 outline.patch(j) == p.neighbour
-             && mag(middle(domain, outline, j) - copy) < tolerance
+             && mag(middle(outline, j) - copy) < tolerance
             )
             {
                 p.pieces.append(i);
@@ -126,8 +123,8 @@ bool Foam::fsbi::cyclicPairs::straight
             const labelPair& line = outline.lines()[l];
             const vector way
             (
-                domain.points()[outline.corners()[line.second()]]
-              - domain.points()[outline.corners()[line.first()]]
+                outline.corners()[line.second()]
+              - outline.corners()[line.first()]
             );
             if (ends[l] && mag(way ^ along) > right*mag(way))
             {
@@ -239,11 +236,11 @@ Foam::fsbi::cyclicPairs::cyclicPairs
         {
             continue;
         }
-        if (outline.curved())
+        if (!outline.inPieces())
         {
             FatalErrorInFunction
-                << "Cyclic patch '" << patch.name()
-                << "' needs a domain whose patches are all plane"
+                << "Cyclic patch '" << patch.name() << "' needs a domain whose"
+                << " boundary is closed: lines around some patch end nowhere"
                 << exit(FatalError);
         }
         pair p;

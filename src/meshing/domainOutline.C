@@ -5,7 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "domainOutline.H"
 #include "straddling.H"
-#include "primitivePatch.H"
+#include "cyclicPolyPatch.H"
 #include "unitConversion.H"
 #include "Map.H"
 
@@ -60,13 +60,13 @@ static List<triFace> cutFaces(const faceList& faces, const pointField& p)
 // The edges of the boundary between different pieces
 struct outlineEdges
 {
-    const primitivePatch& boundary;
+    const ownedPatch& boundary;
     const labelList& facePiece;
 
     //- At every point the edges that meet there
     List<DynamicList<label>> meeting;
 
-    outlineEdges(const primitivePatch& patch, const labelList& pieces)
+    outlineEdges(const ownedPatch& patch, const labelList& pieces)
     :
         boundary(patch),
         facePiece(pieces),
@@ -127,6 +127,43 @@ struct outlineEdges
     }
 };
 
+
+// The boundary of a mesh, and the patch of every face
+static ownedPatch boundaryOf(const polyMesh& mesh)
+{
+    const SubList<face> faces
+    (
+        mesh.faces(), mesh.nBoundaryFaces(), mesh.nInternalFaces()
+    );
+    const primitivePatch boundary(faces, mesh.points());
+    return ownedPatch(boundary.localFaces(), boundary.localPoints());
+}
+
+
+static labelList patchesOf(const polyMesh& mesh)
+{
+    labelList patches(mesh.nBoundaryFaces());
+    forAll(patches, i)
+    {
+        patches[i] =
+            mesh.boundaryMesh().whichPatch(i + mesh.nInternalFaces());
+    }
+    return patches;
+}
+
+
+static bool isPeriodic(const polyMesh& mesh)
+{
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (isA<cyclicPolyPatch>(patch))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -135,25 +172,30 @@ struct outlineEdges
 
 void Foam::fsbi::domainOutline::joinAcross
 (
-    const label piece, DynamicList<label>& front
+    const ownedPatch& faces,
+    const labelUList& patches,
+    const label piece,
+    DynamicList<label>& front
 )
 {
-    const polyPatch& patch = mesh_.boundaryMesh()[piecePatch_[piece]];
-    const label offset = patch.start() - mesh_.nInternalFaces();
-    const vectorField& normals = patch.faceNormals();
+    const vectorField& normals = faces.faceNormals();
     const scalar almostFlat = Foam::cos(degToRad(1e-4));
     const scalar feature = Foam::cos(degToRad(featureAngle));
 
     while (front.size())
     {
         const label facei = front.remove();
-        for (const label other : patch.faceFaces()[facei])
+        for (const label other : faces.faceFaces()[facei])
         {
+            if (patches[other] != patches[facei])
+            {
+                continue;
+            }
             const scalar c = normals[facei] & normals[other];
             curved_ = curved_ || (c < almostFlat && c > feature);
-            if (c >= almostFlat && facePiece_[offset + other] < 0)
+            if (c >= almostFlat && facePiece_[other] < 0)
             {
-                facePiece_[offset + other] = piece;
+                facePiece_[other] = piece;
                 front.append(other);
             }
         }
@@ -161,43 +203,36 @@ void Foam::fsbi::domainOutline::joinAcross
 }
 
 
-void Foam::fsbi::domainOutline::findPieces()
+void Foam::fsbi::domainOutline::findPieces
+(
+    const ownedPatch& faces, const labelUList& patches
+)
 {
-    for (const polyPatch& patch : mesh_.boundaryMesh())
+    facePiece_ = labelList(faces.size(), -1);
+    piecePatch_.clear();
+    forAll(faces, facei)
     {
-        const label offset = patch.start() - mesh_.nInternalFaces();
-        forAll(patch, facei)
+        const face& f = faces.localFaces()[facei];
+        const vector n(f.unitNormal(faces.localPoints()));
+        const point& p0 = faces.localPoints()[f[0]];
+        for (const label p : f)
         {
-            const face& f = patch[facei];
-            const vector n(f.unitNormal(mesh_.points()));
-            const point& p0 = mesh_.points()[f[0]];
-            for (const label p : f)
-            {
-                const vector d(mesh_.points()[p] - p0);
-                curved_ = curved_ || mag(d & n) > 1e-6*mag(d);
-            }
-            if (facePiece_[offset + facei] < 0)
-            {
-                facePiece_[offset + facei] = piecePatch_.size();
-                DynamicList<label> front(1, facei);
-                piecePatch_.append(patch.index());
-                joinAcross(piecePatch_.size() - 1, front);
-            }
+            const vector d(faces.localPoints()[p] - p0);
+            curved_ = curved_ || mag(d & n) > 1e-6*mag(d);
+        }
+        if (facePiece_[facei] < 0)
+        {
+            facePiece_[facei] = piecePatch_.size();
+            DynamicList<label> front(1, facei);
+            piecePatch_.append(patches[facei]);
+            joinAcross(faces, patches, piecePatch_.size() - 1, front);
         }
     }
 }
 
 
-void Foam::fsbi::domainOutline::findLines()
+void Foam::fsbi::domainOutline::findLines(const ownedPatch& boundary)
 {
-    const primitivePatch boundary
-    (
-        SubList<face>
-        (
-            mesh_.faces(), mesh_.nBoundaryFaces(), mesh_.nInternalFaces()
-        ),
-        mesh_.points()
-    );
     const outlineEdges outline(boundary, facePiece_);
 
     Map<label> corner;
@@ -206,7 +241,7 @@ void Foam::fsbi::domainOutline::findLines()
         if (outline.isCorner(p))
         {
             corner.insert(p, corners_.size());
-            corners_.append(boundary.meshPoints()[p]);
+            corners_.append(boundary.localPoints()[p]);
         }
     }
 
@@ -255,10 +290,6 @@ bool Foam::fsbi::domainOutline::closeLoops
     DynamicList<label> left, DynamicList<DynamicList<label>>& loops
 ) const
 {
-    const auto corner = [&](const label i) -> const point&
-    {
-        return mesh_.points()[corners_[i]];
-    };
     scalar largest = 0;
     while (left.size())
     {
@@ -276,7 +307,8 @@ bool Foam::fsbi::domainOutline::closeLoops
             const labelPair& line = lines_[mag(l) - 1];
             const label to = l > 0 ? line.second() : line.first();
             area +=
-                (corner(last) - corner(first)) ^ (corner(to) - corner(first));
+                (corners_[last] - corners_[first])
+              ^ (corners_[to] - corners_[first]);
             loop.append(l);
             last = to;
         }
@@ -296,19 +328,33 @@ bool Foam::fsbi::domainOutline::closeLoops
 Foam::fsbi::domainOutline::domainOutline(const polyMesh& mesh)
 :
     mesh_(mesh),
-    facePiece_(mesh.nBoundaryFaces(), -1),
-    curved_(false)
+    curved_(false),
+    inPieces_(false)
 {
-    findPieces();
+    const ownedPatch faces(boundaryOf(mesh));
+    findPieces(faces, patchesOf(mesh));
     if (!curved_)
     {
-        findLines();
-        loops_.setSize(lineLists_.size());
-        forAll(loops_, i)
+        findLines(faces);
+    }
+    else if (isPeriodic(mesh))
+    {
+        const domainBoundary walls(triangulation());
+        faceList triangles(walls.patches.size());
+        forAll(triangles, i)
         {
-            // an outline that does not close is none: keep the faces
-            curved_ = curved_ || !closeLoops(lineLists_[i], loops_[i]);
+            triangles[i] = face(walls.surface.triangles()[i]);
         }
+        const ownedPatch facets(triangles, walls.surface.points());
+        findPieces(facets, walls.patches);
+        findLines(facets);
+    }
+    inPieces_ = lines_.size();
+    loops_.setSize(lineLists_.size());
+    forAll(loops_, i)
+    {
+        // an outline that does not close is none: keep the faces
+        inPieces_ = inPieces_ && closeLoops(lineLists_[i], loops_[i]);
     }
 }
 
@@ -317,28 +363,15 @@ Foam::fsbi::domainOutline::domainOutline(const polyMesh& mesh)
 
 Foam::fsbi::domainBoundary Foam::fsbi::domainOutline::triangulation() const
 {
-    const primitivePatch boundary
-    (
-        SubList<face>
-        (
-            mesh_.faces(), mesh_.nBoundaryFaces(), mesh_.nInternalFaces()
-        ),
-        mesh_.points()
-    );
+    const ownedPatch boundary(boundaryOf(mesh_));
+    const labelList patchOf(patchesOf(mesh_));
     labelList patches;
     bool quadrilaterals = true;
     forAll(boundary, facei)
     {
         const label n = boundary.localFaces()[facei].size();
         quadrilaterals = quadrilaterals && n == 4;
-        patches.append
-        (
-            labelList
-            (
-                n - 2,
-                mesh_.boundaryMesh().whichPatch(facei + mesh_.nInternalFaces())
-            )
-        );
+        patches.append(labelList(n - 2, patchOf[facei]));
     }
     const faceList& faces = boundary.localFaces();
     bodySurface surface

@@ -7,7 +7,7 @@ import sys
 
 import numpy as np
 
-from fsbi import tube
+from fsbi import fields, tube
 from fsbi.case import Case, cases
 from fsbi.results import Results
 
@@ -32,7 +32,24 @@ class Run(Case):
         self.found = abs(self.force("leukocyte")[-1, 0]) / stokes
 
 
+def over_flow(run):
+    """Velocity of the free sphere over that on the axis of a tube with the same flow rate,
+    which all sections have: its integral over the tube and the sphere, by the length."""
+    u, volume = (fields.internal(os.path.join(run.folder, "4500", "fluid", name))
+                 for name in "UV")
+    speed = run.history["bodies/leukocyte/velocity"]["x"][-1]
+    sphere = 4 / 3 * np.pi * 4**3
+    rate = (np.sum(volume[:, 0] * u[:, 0]) + sphere * speed) / 32
+    return speed * np.pi * RADIUS**2 / (2 * rate)
+
+
 def main():
+    for run in cases("runs/periodic_*"):
+        # bound: as for tubes with ends, of edges of 0.3 radii; images of the sphere are
+        # three tube radii away, where its flow has decayed to 1e-5
+        results.add("velocity_over_flow", over_flow(run), tube.velocity(0.5), BOUND["0.3"],
+                    variant=os.path.basename(run.folder), seconds=run.processor_seconds,
+                    cells=run.cells)
     for run in (Run(run.folder) for run in cases("runs/*_*_*_*_*")):
         name, exact = EXACT[run.way]
         results.add(name, run.found, exact(run.width, *TERMS.get(run.width, ())),
