@@ -126,13 +126,14 @@ std::vector<int> Foam::fsbi::gmshModel::add(const bodySurface& surface)
 
 void Foam::fsbi::gmshModel::addOutline
 (
-    const domainOutline& outline, const vector& shift
+    const domainOutline& outline,
+    const std::function<point(const point&)>& place
 )
 {
     std::vector<int> corners, lines;
     for (const point& corner : outline.corners())
     {
-        const point p(scale_*(corner + shift));
+        const point p(scale_*place(corner));
         corners.push_back(gmsh::model::geo::addPoint(p.x(), p.y(), p.z()));
     }
     for (const labelPair& line : outline.lines())

@@ -19,6 +19,9 @@ static const scalar clearance = 1;
 //- Points of a grid along a side at most
 static const label mostPoints = 200;
 
+//- Distance from a side of what is on it, in lengths of the cell
+static const scalar onSide = 1e-6;
+
 //- Heights change by no more than this, in spacings of the grid, when they are taken
 static const scalar rest = 1e-4;
 
@@ -26,6 +29,9 @@ static const label mostSweeps = 4000;
 
 //- Heights at where a point goes depend on where it goes: rounds until they agree
 static const label mostRounds = 100;
+
+//- Part of the room between a side and what stands in the cell that heights may take
+static const scalar mostOfRoom = 0.7;
 
 
 // The surface taken out by its edges
@@ -86,6 +92,22 @@ Foam::FixedList<Foam::scalar, 2> Foam::fsbi::bentCell::side::place
 }
 
 
+Foam::scalar Foam::fsbi::bentCell::side::part(const point& p) const
+{
+    if (room[0] == GREAT)
+    {
+        return 1;
+    }
+    const scalar there = from(p);
+    return
+        max
+        (
+            max(scalar(0), 1 - max(scalar(0), there)/room[0]),
+            1 - max(scalar(0), length - there)/room[1]
+        );
+}
+
+
 Foam::fsbi::bentCell::side Foam::fsbi::bentCell::sideOf
 (
     const UList<period>& periods, const label i, const vector& shift,
@@ -94,6 +116,8 @@ Foam::fsbi::bentCell::side Foam::fsbi::bentCell::sideOf
 {
     side s;
     s.direction = periods[i].direction();
+    s.length = periods[i].length();
+    s.room = periods[i].room;
     DynamicList<vector> axes;
     for (const period& other : periods)
     {
@@ -253,6 +277,16 @@ Foam::scalar Foam::fsbi::bentCell::height(const side& s, const point& p)
 }
 
 
+void Foam::fsbi::bentCell::centre(side& s)
+{
+    s.moved = 0.5*(min(s.h) + max(s.h));
+    s.h -= s.moved;
+    s.origin += s.moved*s.direction;
+    s.room[0] -= s.moved;
+    s.room[1] += s.moved;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsbi::bentCell::bentCell
@@ -283,11 +317,56 @@ Foam::fsbi::bentCell::bentCell
         const scalar spacing = s.lengths[0]/s.n[0];
         relax(s, low, high, rest*spacing);
         largest_ = max(largest_, max(mag(s.h)));
+        if (s.room[0] < GREAT)
+        {
+            centre(s);
+        }
     }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::fsbi::bentCell::failure() const
+{
+    for (const side& s : sides_)
+    {
+        if (max(mag(s.h)) > mostOfRoom*min(s.room[0], s.room[1]))
+        {
+            return
+                "a periodic side finds no way between bodies and what stands in"
+                " the domain";
+        }
+    }
+    return string();
+}
+
+
+Foam::vector Foam::fsbi::bentCell::shift() const
+{
+    vector sum(Zero);
+    for (const side& s : sides_)
+    {
+        sum += s.moved*s.direction;
+    }
+    return sum;
+}
+
+
+Foam::point Foam::fsbi::bentCell::corner(const point& p) const
+{
+    point x(p);
+    for (const side& s : sides_)
+    {
+        const scalar there = s.from(p) + s.moved;
+        if (min(mag(there), mag(there - s.length)) < onSide*s.length)
+        {
+            x += s.moved*s.direction;
+        }
+    }
+    return x;
+}
+
 
 Foam::point Foam::fsbi::bentCell::operator()(const point& p) const
 {
@@ -297,7 +376,7 @@ Foam::point Foam::fsbi::bentCell::operator()(const point& p) const
         point next(p);
         for (const side& s : sides_)
         {
-            next += height(s, x)*s.direction;
+            next += s.part(p)*height(s, x)*s.direction;
         }
         const scalar change = magSqr(next - x);
         x = next;

@@ -293,7 +293,7 @@ Foam::fsbi::meshLists Foam::fsbi::conformalMesher::meshOnce
     }
     else
     {
-        addPieces(shift, model());
+        addPieces([&](const point& p) { return p + shift; }, model());
     }
 
     List<FixedList<label, 4>> tetrahedra;

@@ -137,7 +137,7 @@ Foam::fsbi::domainBoundary Foam::fsbi::conformalMesher::bentBoundary
 ) const
 {
     autoPtr<volumeMesher> model(volumeMesher::New(walls_.surface.bounds().mag()));
-    addPieces(shift, model());
+    addPieces([&](const point& p) { return cell.corner(p + shift); }, model());
     pointField points;
     failure = model->generateSurfaces
     (
@@ -160,7 +160,10 @@ Foam::fsbi::domainBoundary Foam::fsbi::conformalMesher::bentBoundary
     }
     labelList alike;
     List<DynamicList<vector>> normals;
-    pairPoints(points, triangles, patches, shift, alike, normals);
+    pairPoints
+    (
+        points, triangles, patches, shift + cell.shift(), alike, normals
+    );
     DynamicList<edge> lines;
     forAll(triangles, i)
     {
@@ -204,7 +207,8 @@ Foam::fsbi::domainBoundary Foam::fsbi::conformalMesher::givenBoundary
         );
     }
     const bentCell cell(periods(), bodies, shift);
-    if (!cell.bent())
+    failure = cell.failure();
+    if (failure.size() || !cell.bent())
     {
         return domainBoundary();
     }
@@ -214,10 +218,10 @@ Foam::fsbi::domainBoundary Foam::fsbi::conformalMesher::givenBoundary
 
 void Foam::fsbi::conformalMesher::addPieces
 (
-    const vector& shift, volumeMesher& model
+    const std::function<point(const point&)>& place, volumeMesher& model
 ) const
 {
-    model.addOutline(outline_, shift);
+    model.addOutline(outline_, place);
     cyclics_.forPieces
     (
         [&](const label piece, const label copy, const vector& translation)

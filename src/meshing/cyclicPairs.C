@@ -95,13 +95,12 @@ void Foam::fsbi::cyclicPairs::matchPieces
 }
 
 
-bool Foam::fsbi::cyclicPairs::straight
+Foam::boolList Foam::fsbi::cyclicPairs::between
 (
-    const polyMesh& domain, const domainOutline& outline
+    const domainOutline& outline
 ) const
 {
-    // a bent cell moves points of other patches along their planes
-    boolList ends(outline.lines().size(), true);
+    boolList result(outline.lines().size(), true);
     for (label piece = 0; piece < outline.nPieces(); ++piece)
     {
         if (found(outline.patch(piece)))
@@ -110,45 +109,67 @@ bool Foam::fsbi::cyclicPairs::straight
             {
                 for (const label line : loop)
                 {
-                    ends[mag(line) - 1] = false;
+                    result[mag(line) - 1] = false;
                 }
             }
         }
     }
-    for (const pair& p : pairs_)
+    return result;
+}
+
+
+Foam::FixedList<Foam::scalar, 2> Foam::fsbi::cyclicPairs::roomOf
+(
+    const period& along, const domainOutline& outline, const boolList& lines
+)
+{
+    const scalar nothing = right*along.length();
+    FixedList<scalar, 2> room(GREAT);
+    forAll(lines, l)
     {
-        const vector along(p.translation/mag(p.translation));
-        forAll(ends, l)
+        const point& a = outline.corners()[outline.lines()[l].first()];
+        const point& b = outline.corners()[outline.lines()[l].second()];
+        const vector way(b - a);
+        if (!lines[l] || mag(way ^ along.direction()) <= right*mag(way))
         {
-            const labelPair& line = outline.lines()[l];
-            const vector way
-            (
-                outline.corners()[line.second()]
-              - outline.corners()[line.first()]
-            );
-            if (ends[l] && mag(way ^ along) > right*mag(way))
+            continue;
+        }
+        for (const point& p : {a, b})
+        {
+            const scalar from = along.from(p);
+            room[0] = min(room[0], from - nothing);
+            room[1] = min(room[1], along.length() - from - nothing);
+        }
+    }
+    return room;
+}
+
+
+bool Foam::fsbi::cyclicPairs::straight(const polyMesh& domain) const
+{
+    forAll(periods_, i)
+    {
+        const vector along(periods_[i].direction());
+        if (min(periods_[i].room[0], periods_[i].room[1]) <= 0)
+        {
+            return false;
+        }
+        forAll(periods_, j)
+        {
+            if (j != i && mag(along & periods_[j].direction()) > right)
             {
                 return false;
             }
         }
-        for (const pair& other : pairs_)
-        {
-            const scalar skew =
-                along & (other.translation/mag(other.translation));
-            if (&other != &p && mag(skew) > right)
-            {
-                return false;
-            }
-        }
-        const polyPatch& side = domain.boundaryMesh()[p.patch];
+        const polyPatch& side = domain.boundaryMesh()[pairs_[i].patch];
         forAll(side, f)
         {
             const vector& S = side.faceAreas()[f];
             if
             (
                 mag((S & along) + mag(S)) > right*mag(S)
-             || mag((side.faceCentres()[f] - side.localPoints()[0]) & along)
-              > right*mag(p.translation)
+             || mag(periods_[i].from(side.faceCentres()[f]))
+              > right*periods_[i].length()
             )
             {
                 return false;
@@ -156,6 +177,27 @@ bool Foam::fsbi::cyclicPairs::straight
         }
     }
     return true;
+}
+
+
+void Foam::fsbi::cyclicPairs::findPeriods
+(
+    const polyMesh& domain, const domainOutline& outline
+)
+{
+    const boolList lines(between(outline));
+    periods_.setSize(pairs_.size());
+    forAll(pairs_, i)
+    {
+        period& along = periods_[i];
+        along.side = domain.boundaryMesh()[pairs_[i].patch].localPoints();
+        along.translation = pairs_[i].translation;
+        along.room = roomOf(along, outline, lines);
+    }
+    if (!straight(domain))
+    {
+        periods_.clear();
+    }
 }
 
 
@@ -251,18 +293,7 @@ Foam::fsbi::cyclicPairs::cyclicPairs
         matchPieces(domain, outline, p);
         pairs_.append(p);
     }
-    if (straight(domain, outline))
-    {
-        periods_.setSize(pairs_.size());
-        forAll(pairs_, i)
-        {
-            periods_[i] =
-            {
-                domain.boundaryMesh()[pairs_[i].patch].localPoints(),
-                pairs_[i].translation
-            };
-        }
-    }
+    findPeriods(domain, outline);
 }
 
 

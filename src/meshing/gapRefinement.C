@@ -142,6 +142,26 @@ private:
     }
 };
 
+//- To the distance of a point from a surface's images, if that is less
+static void approach
+(
+    const surfaceDistance& surface,
+    const UList<vector>& images,
+    const point& p,
+    scalar& distance
+)
+{
+    for (const vector& image : images)
+    {
+        scalar there;
+        label triangle;
+        if (surface.find(p - image, distance, there, triangle))
+        {
+            distance = there;
+        }
+    }
+}
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -184,29 +204,19 @@ Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::refinedInGaps
         {
             const auto gap = [&](const point& p, const scalar reach, scalar& d)
             {
-                label triangle;
-                bool near = walls.find(p, reach, d, triangle);
+                d = reach;
+                approach(walls, ways, p, d);
                 forAll(distances, other)
                 {
-                    for (const vector& way : ways)
+                    if (distances.set(other))
                     {
-                        scalar there;
-                        if
+                        approach
                         (
-                            (other != b || way != vector(Zero))
-                         && distances.set(other)
-                         && distances[other].find
-                            (
-                                p - way, near ? d : reach, there, triangle
-                            )
-                        )
-                        {
-                            d = there;
-                            near = true;
-                        }
+                            distances[other], other == b ? images : ways, p, d
+                        );
                     }
                 }
-                return near;
+                return d < reach;
             };
             again = fine[b].refine(gap, gapSag) || again;
         }

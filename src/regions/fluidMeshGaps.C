@@ -263,6 +263,10 @@ Foam::scalar Foam::fsbi::fluidMesh::smallestGap
         if (walls)          // known with the first mesh
         {
             approach(walls(), surface.points(), moved);
+            for (const vector& image : images_)
+            {
+                approach(walls(), surface.points(), moved + image);
+            }
         }
         if (present_.size() == 1 && images_.empty())
         {
