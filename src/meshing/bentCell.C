@@ -98,13 +98,8 @@ Foam::scalar Foam::fsbi::bentCell::side::part(const point& p) const
     {
         return 1;
     }
-    const scalar there = from(p);
-    return
-        max
-        (
-            max(scalar(0), 1 - max(scalar(0), there)/room[0]),
-            1 - max(scalar(0), length - there)/room[1]
-        );
+    const scalar way = min(from(p)/room[0], (length - from(p))/room[1]);
+    return max(scalar(0), 1 - max(scalar(0), way));
 }
 
 

@@ -1,7 +1,7 @@
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What comes in through the inlet of a bifurcation and does not go out, over what comes
-in; velocity of a cell in an array of posts by where sides of the computation are; write
+in; the way of a cell in an array of posts by where sides of the computation are; write
 results.csv."""
 
 import os

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """system/blockMeshDict of an array of round posts between a floor and a ceiling, 20 um
 from post to post and as high: the cell that repeats itself, from -10 to 10 in y and z,
-around a post of radius 4 at (x, 0).
+around a post of radius 4 at the origin.
 
-    python3 post_array.py X BEGIN          BEGIN: of the cell, which is 20 long
+    python3 post_array.py BEGIN         of the cell in x, in which it is 20 long
 """
 
 import sys
@@ -46,13 +46,13 @@ boundary
 """
 
 
-def main(x, begin):
+def main(begin):
     on_post = RADIUS / 2**0.5
     points = [(begin + HALF * (1 + i), HALF * j, z) for z in (-HALF, HALF) for i, j in CORNERS]
-    post = [(x + on_post * i, on_post * j, z) for z in (-HALF, HALF) for i, j in CORNERS]
+    post = [(on_post * i, on_post * j, z) for z in (-HALF, HALF) for i, j in CORNERS]
     vertices = points[:4] + post[:4] + points[4:] + post[4:]
     arcs = [f"    arc {level + 4 + k} {level + 4 + (k + 1) % 4} "
-            f"({x + RADIUS * i} {RADIUS * j} {z})"
+            f"({RADIUS * i} {RADIUS * j} {z})"
             for level, z in ((0, -HALF), (8, HALF)) for k, (i, j) in enumerate(MIDDLES)]
     with open("system/blockMeshDict", "w") as file:
         print(HEADER, "vertices", "(", sep="\n", file=file)
@@ -62,4 +62,4 @@ def main(x, begin):
 
 
 if __name__ == "__main__":
-    main(*map(float, sys.argv[1:]))
+    main(float(sys.argv[1]))
