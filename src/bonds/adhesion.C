@@ -7,6 +7,31 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "FlatOutput.H"
 #include "timeFunction.H"
 
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Molecules on a wall that is not plane would go along with the domain
+static void refuseFollowing
+(
+    const adhesion::population& p, const currentSurfaces& surfaces
+)
+{
+    if (surfaces.isWall(p.surface) && surfaces.wall(p.surface).follows)
+    {
+        FatalIOErrorInFunction(p.entries)
+            << "Molecules cannot be on the wall '" << surfaces.name(p.surface)
+            << "', which is not plane, where the domain follows a body: remove"
+            << " 'follow' from system/remeshDict, and make the domain as long as"
+            << " the body's way" << exit(FatalIOError);
+    }
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsbi::adhesion::adhesion
@@ -22,14 +47,15 @@ Foam::fsbi::adhesion::adhesion
     const currentSurfaces surfaces(context);
     for (population& p : populations_)
     {
-        if (!surfaces.isWall(p.surface))
+        if (!surfaces.isPlane(p.surface))
         {
-            const bodySurface& body = surfaces.surface(p.surface);
+            refuseFollowing(p, surfaces);
+            const bodySurface& there = surfaces.surface(p.surface);
             p.spread
             (
                 materialPoint::numbers
                 (
-                    p.density, p.places, body.points(), body.triangles()
+                    p.density, p.places, there.points(), there.triangles()
                 )
             );
         }
@@ -62,7 +88,7 @@ void Foam::fsbi::adhesion::readPopulations
         if (!names.found(e.keyword()))
         {
             FatalIOErrorInFunction(dict)
-                << "There is no body (constant/bodies) or plane wall '"
+                << "There is no body (constant/bodies) or wall '"
                 << e.keyword() << "' for 'molecules'"
                 << context.unseenReason(e.keyword()).c_str() << "; valid are "
                 << flatOutput(names) << exit(FatalIOError);

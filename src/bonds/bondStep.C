@@ -169,7 +169,7 @@ Foam::fsbi::bond Foam::fsbi::bondStep::form
     const vector along(Foam::cos(angle)*e1 + Foam::sin(angle)*(n ^ e1));
 
     b.ligand.population = channel.ligands;
-    if (surfaces_.isWall(ligands.surface))
+    if (surfaces_.isPlane(ligands.surface))
     {
         b.anchor = channel.at.nearest
           + Foam::sqrt(max(sqr(r) - sqr(channel.at.gap), scalar(0)))*along;
@@ -213,7 +213,7 @@ Foam::point Foam::fsbi::bondStep::end
 {
     const label surface = a.surface(b.ligand);
     return
-        surfaces.isWall(surface)
+        surfaces.isPlane(surface)
       ? b.anchor : surfaces.position(surface, b.end);
 }
 

@@ -138,7 +138,7 @@ void Foam::fsbi::bonds::endStep()
     for (auto& entry : state_.bonds)
     {
         bond& b = entry.second;
-        if (now.isWall(adhesion_->surface(b.ligand)))
+        if (now.isPlane(adhesion_->surface(b.ligand)))
         {
             b.anchor = ends(now, entry).second();
         }

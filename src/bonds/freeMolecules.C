@@ -64,7 +64,7 @@ Foam::fsbi::molecule Foam::fsbi::freeMolecules::patch
 ) const
 {
     const adhesion::population& p = adhesion_.populations()[population];
-    const planeWall& wall = surfaces_.wall(p.surface);
+    const domainWall& wall = surfaces_.wall(p.surface);
     const vector e1(surfaces_.alongPeriod(wall.normal));
     const vector e2(wall.normal ^ e1);
     const vector d(x - slid_[p.surface]);
@@ -93,7 +93,7 @@ Foam::scalar Foam::fsbi::freeMolecules::density(const label population) const
 {
     const adhesion::population& p = adhesion_.populations()[population];
     return
-        surfaces_.isWall(p.surface)
+        surfaces_.isPlane(p.surface)
       ? p.density
       : p.molecules.size()/surfaces_.surface(p.surface).area();
 }
@@ -104,7 +104,7 @@ Foam::fsbi::molecule Foam::fsbi::freeMolecules::at
     const label population, const point& x
 )
 {
-    if (surfaces_.isWall(adhesion_.populations()[population].surface))
+    if (surfaces_.isPlane(adhesion_.populations()[population].surface))
     {
         return patch(population, x);
     }

@@ -49,12 +49,12 @@ bool Foam::fsbi::contact::face
 ) const
 {
     f.otherTriangle = -1;
-    if (now.isWall(other))
+    if (now.isPlane(other))
     {
         f.distance = now.wall(other).distance(f.site);
         f.normal = now.wall(other).normal;
     }
-    else if (context_.bodies[other].hasShape())
+    else if (!now.isWall(other) && context_.bodies[other].hasShape())
     {
         const immersedBody& body = context_.bodies[other];
         const point site(f.site - f.way - body.toImage());
@@ -65,7 +65,7 @@ bool Foam::fsbi::contact::face
     else
     {
         currentSurfaces::nearestPoint c;
-        if (!now.findImage(other, f.way, f.site, reach, c))
+        if (!now.findImage(other, f.way, f.site, now.behind(other, reach), c))
         {
             return false;
         }
@@ -181,7 +181,7 @@ void Foam::fsbi::contact::search
             }
         }
     };
-    if (now.isWall(other))
+    if (now.isPlane(other))
     {
         searchImage(Zero, boundBox::greatBox);
         return;

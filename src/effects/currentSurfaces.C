@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "currentSurfaces.H"
+#include "wallFacets.H"
 
 Foam::fsbi::currentSurfaces::currentSurfaces
 (
@@ -51,9 +52,14 @@ const Foam::word& Foam::fsbi::currentSurfaces::name(const label surface) const
 
 const Foam::fsbi::bodySurface& Foam::fsbi::currentSurfaces::surface
 (
-    const label body
+    const label surface
 ) const
 {
+    if (isWall(surface))
+    {
+        return wall(surface).facets->surface;
+    }
+    const label body = surface;
     if (!surfaces_.set(body))
     {
         const immersedBody& there = context_.bodies[body];
@@ -118,15 +124,19 @@ Foam::vector Foam::fsbi::currentSurfaces::alongPeriod
 
 const Foam::fsbi::surfaceDistance& Foam::fsbi::currentSurfaces::search
 (
-    const label body
+    const label surface
 ) const
 {
-    if (!searches_.set(body))
+    if (isWall(surface))
     {
-        const bodySurface& s = surface(body);
-        searches_.set(body, new surfaceDistance(s.points(), s.triangles()));
+        return wall(surface).facets->search;
     }
-    return searches_[body];
+    if (!searches_.set(surface))
+    {
+        const bodySurface& s = this->surface(surface);
+        searches_.set(surface, new surfaceDistance(s.points(), s.triangles()));
+    }
+    return searches_[surface];
 }
 
 
@@ -172,9 +182,9 @@ bool Foam::fsbi::currentSurfaces::find
     const label surface, const point& x, const scalar reach, nearestPoint& c
 ) const
 {
-    if (isWall(surface))
+    if (isPlane(surface))
     {
-        const planeWall& plane = wall(surface);
+        const domainWall& plane = wall(surface);
         const scalar height = plane.distance(x);
         c = {mag(height), x - height*plane.normal, plane.normal, -1};
         return c.gap <= reach;
@@ -199,22 +209,23 @@ bool Foam::fsbi::currentSurfaces::find
 
 bool Foam::fsbi::currentSurfaces::findImage
 (
-    const label body,
+    const label surface,
     const vector& way,
     const point& x,
     const scalar reach,
     nearestPoint& c
 ) const
 {
-    const point p(x - way);
-    if (!search(body).find(p, reach, c.gap, c.triangle))
+    const vector to(way + shift(surface));
+    const point p(x - to);
+    if (!search(surface).find(p, reach, c.gap, c.triangle))
     {
         return false;
     }
-    const bodySurface& s = surface(body);
+    const bodySurface& s = this->surface(surface);
     const triPointRef corners(s.triangles()[c.triangle].tri(s.points()));
     const point on(corners.nearestPoint(p).rawPoint());
-    c.nearest = on + way;
+    c.nearest = on + to;
     c.way = way;
     // on the surface itself the direction is lost in round-off
     c.normal =
@@ -229,7 +240,7 @@ Foam::fsbi::materialPoint Foam::fsbi::currentSurfaces::there
     const label surface, const nearestPoint& c
 ) const
 {
-    if (isWall(surface))
+    if (isPlane(surface))
     {
         return materialPoint();
     }
@@ -243,7 +254,7 @@ Foam::fsbi::materialPoint Foam::fsbi::currentSurfaces::there
 
 Foam::fsbi::materialPoint Foam::fsbi::currentSurfaces::away
 (
-    const label body,
+    const label surface,
     const point& x,
     const nearestPoint& c,
     const vector& direction,
@@ -253,7 +264,7 @@ Foam::fsbi::materialPoint Foam::fsbi::currentSurfaces::away
     nearestPoint at;
     const auto project = [&](const scalar rho)
     {
-        findImage(body, c.way, c.nearest + rho*direction, GREAT, at);
+        findImage(surface, c.way, c.nearest + rho*direction, GREAT, at);
         return mag(at.nearest - x);
     };
 
@@ -271,5 +282,5 @@ Foam::fsbi::materialPoint Foam::fsbi::currentSurfaces::away
         (project(middle) < distance ? low : high) = middle;
     }
     project(low);
-    return there(body, at);
+    return there(surface, at);
 }

@@ -85,7 +85,7 @@ Foam::wordList Foam::fsbi::effectContext::names() const
     {
         all.append(bodies[b].name());
     }
-    for (const planeWall& wall : walls)
+    for (const domainWall& wall : walls)
     {
         all.append(wall.name);
     }

@@ -56,14 +56,14 @@ void Foam::fsbi::effectList::report(const word& patch, const string& what)
 }
 
 
-void Foam::fsbi::effectList::setWalls(const List<planeWall>& walls)
+void Foam::fsbi::effectList::setWalls(const List<domainWall>& walls)
 {
     wordHashSet gone;
-    for (const planeWall& wall : context_.walls)
+    for (const domainWall& wall : context_.walls)
     {
         gone.insert(wall.name);
     }
-    for (const planeWall& wall : walls)
+    for (const domainWall& wall : walls)
     {
         const label w = context_.findWall(wall.name);
         gone.erase(wall.name);
@@ -73,7 +73,7 @@ void Foam::fsbi::effectList::setWalls(const List<planeWall>& walls)
         }
         else
         {
-            report(wall.name, "has become a plane wall; effects do not see it");
+            report(wall.name, "has become a wall; effects do not see it");
         }
     }
     for (const word& name : gone.sortedToc())
@@ -81,7 +81,7 @@ void Foam::fsbi::effectList::setWalls(const List<planeWall>& walls)
         report
         (
             name,
-            "is no plane wall any more, by its velocity; effects still take it"
+            "is no wall any more, by its velocity; effects still take it"
             " for one"
         );
     }

@@ -10,10 +10,10 @@ namespace Foam
 namespace fsbi
 {
 
-//- Near a wall; a point far behind it is near, too
-static bool nearWall
+//- Near a plane wall; a point far behind it is near, too
+static bool nearPlane
 (
-    const planeWall& wall, const scalar reach, neighbour& n
+    const domainWall& wall, const scalar reach, neighbour& n
 )
 {
     n.gap = wall.distance(n.centre);
@@ -25,7 +25,8 @@ static bool nearWall
 }
 
 
-static bool nearBody
+//- Near an image of a body or of another wall
+static bool nearImage
 (
     const currentSurfaces& now,
     const label other,
@@ -35,7 +36,7 @@ static bool nearBody
 )
 {
     currentSurfaces::nearestPoint c;
-    if (!now.findImage(other, way, n.centre, reach, c))
+    if (!now.findImage(other, way, n.centre, now.behind(other, reach), c))
     {
         return false;
     }
@@ -51,7 +52,7 @@ static bool nearBody
     n.nearest = c.nearest;
     n.way = way;
     n.otherTriangle = c.triangle;
-    return true;
+    return n.gap < reach;
 }
 
 } // End namespace fsbi
@@ -71,14 +72,14 @@ Foam::DynamicList<Foam::fsbi::neighbour> Foam::fsbi::neighbours
     {
         return found;
     }
-    if (now.isWall(other))
+    if (now.isPlane(other))
     {
         forAll(now.surface(body).triangles(), t)
         {
             neighbour n;
             n.triangle = t;
             n.centre = now.centroid(body, t);
-            if (nearWall(now.wall(other), reach, n))
+            if (nearPlane(now.wall(other), reach, n))
             {
                 found.append(n);
             }
@@ -100,7 +101,7 @@ Foam::DynamicList<Foam::fsbi::neighbour> Foam::fsbi::neighbours
             if
             (
                 box.contains(n.centre)
-             && nearBody(now, other, way, reach, n)
+             && nearImage(now, other, way, reach, n)
             )
             {
                 found.append(n);

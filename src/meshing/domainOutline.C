@@ -361,6 +361,29 @@ Foam::fsbi::domainOutline::domainOutline(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::fsbi::bodySurface Foam::fsbi::domainBoundary::inwards
+(
+    const label patch
+) const
+{
+    DynamicList<face> chosen;
+    forAll(patches, i)
+    {
+        if (patches[i] == patch)
+        {
+            chosen.append(face(surface.triangles()[i].reverseFace()));
+        }
+    }
+    const ownedPatch faces(chosen, surface.points());
+    List<triFace> triangles(faces.size());
+    forAll(faces, i)
+    {
+        triangles[i] = triFace(faces.localFaces()[i]);
+    }
+    return bodySurface::open(faces.localPoints(), triangles);
+}
+
+
 Foam::fsbi::domainBoundary Foam::fsbi::domainOutline::triangulation() const
 {
     const ownedPatch boundary(boundaryOf(mesh_));

@@ -297,5 +297,5 @@ Foam::fsbi::bodySurface Foam::fsbi::inverseDistanceMotion::domainBoundary
     {
         triangles[i] = triFace(3*i, 3*i + 1, 3*i + 2);
     }
-    return bodySurface(pointField(std::move(points)), std::move(triangles));
+    return bodySurface::open(pointField(std::move(points)), triangles);
 }

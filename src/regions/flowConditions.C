@@ -230,7 +230,7 @@ Foam::scalarList Foam::fsbi::flowConditions::resistances
 
 Foam::string Foam::fsbi::flowConditions::asWall
 (
-    const fvPatchVectorField& pf, planeWall& wall
+    const fvPatchVectorField& pf, domainWall& wall
 ) const
 {
     const scalar area = gSum(pf.patch().magSf());
@@ -244,13 +244,23 @@ Foam::string Foam::fsbi::flowConditions::asWall
         gSum(vectorField(pf.patch().magSf()*pf.patch().Cf()))/area,
         -S/max(mag(S), VSMALL), u
     };
-    if (mag(S) <= (1 - roundOff)*area)
-    {
-        return "not plane";
-    }
     if (isA<tractionCondition>(pf))
     {
         return "its traction is given";
+    }
+    if (mag(S) <= (1 - roundOff)*area)
+    {
+        if (fastest > 0 || !isA<wallPolyPatch>(pf.patch().patch()))
+        {
+            return
+                fastest > 0
+              ? "not plane, and its velocity in 0/fluid/U is not zero"
+              : "not plane, and not of type wall";
+        }
+        wall.facets = mesh_.facets(wall.name);
+        wall.follows = mesh_.follows();
+        wall.shift = mesh_.shift();
+        return "";
     }
     if (mag(u & S) > roundOff*fastest*area)
     {
@@ -274,7 +284,7 @@ void Foam::fsbi::flowConditions::visitOutside
          && gSum(pf.patch().magSf())
         )
         {
-            planeWall wall;
+            domainWall wall;
             const string why(asWall(pf, wall));
             visitor(wall, why);
         }
@@ -282,20 +292,20 @@ void Foam::fsbi::flowConditions::visitOutside
 }
 
 
-Foam::List<Foam::fsbi::planeWall> Foam::fsbi::flowConditions::walls
+Foam::List<Foam::fsbi::domainWall> Foam::fsbi::flowConditions::walls
 (
     const volVectorField& U
 ) const
 {
-    DynamicList<planeWall> found;
-    visitOutside(U, [&](const planeWall& wall, const string& why)
+    DynamicList<domainWall> found;
+    visitOutside(U, [&](const domainWall& wall, const string& why)
     {
         if (why.empty())
         {
             found.append(wall);
         }
     });
-    return List<planeWall>(found);
+    return List<domainWall>(found);
 }
 
 
@@ -361,7 +371,7 @@ Foam::List<Foam::fsbi::unseenPatch> Foam::fsbi::flowConditions::unseen
 ) const
 {
     DynamicList<unseenPatch> found;
-    visitOutside(U, [&](const planeWall& wall, const string& why)
+    visitOutside(U, [&](const domainWall& wall, const string& why)
     {
         if (why.size())
         {

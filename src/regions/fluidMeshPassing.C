@@ -8,7 +8,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fluidMesh.H"
 #include "imageChoice.H"
-#include "ListOps.H"
 
 namespace Foam
 {
@@ -41,38 +40,6 @@ static scalar distanceOf
 
 } // End namespace fsbi
 } // End namespace Foam
-
-
-const Foam::fsbi::triangleTree* Foam::fsbi::fluidMesh::patchTree
-(
-    const word& patch
-) const
-{
-    if (patches_.find(patch) == patches_.end())
-    {
-        wordList others(mesh().boundaryMesh().names());
-        inplaceSubsetList
-        (
-            others, [&](const word& name) { return name != patch; }
-        );
-        const bodySurface now
-        (
-            inverseDistanceMotion::domainBoundary(mesh(), others)
-        );
-        std::unique_ptr<triangleTree>& tree = patches_[patch];
-        if (now.triangles().size())
-        {
-            tree.reset
-            (
-                new triangleTree
-                (
-                    now.transformed(tensor::I, referenceShift_ - shift())
-                )
-            );
-        }
-    }
-    return patches_[patch].get();
-}
 
 
 Foam::word Foam::fsbi::fluidMesh::reached

@@ -91,7 +91,7 @@ void Foam::fsbi::repulsion::readPairs(const dictionary& dict)
             if (numbers.last() < 0)
             {
                 FatalIOErrorInFunction(dict)
-                    << "There is no body (constant/bodies) or plane wall '"
+                    << "There is no body (constant/bodies) or wall '"
                     << name << "' for 'between'"
                     << context_.unseenReason(name).c_str() << "; valid are "
                     << flatOutput(valid) << exit(FatalIOError);

@@ -1,13 +1,14 @@
 # fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What comes in through the inlet of a bifurcation and does not go out, over what comes
-in; the way of a cell in an array of posts by where sides of the computation are; write
-results.csv."""
+in; the way of a cell in an array of posts by where sides of the computation are; which
+rows of posts beads go along; write results.csv."""
 
 import os
 import re
 
 import numpy as np
+from scipy.optimize import brentq
 
 from fsbi.case import Case, cases
 from fsbi.results import Results
@@ -41,8 +42,36 @@ def across_sides(results):
                 / np.linalg.norm(w, axis=1).max(), 0, 0.02, variant="post_array")
 
 
+def critical_diameters(gap, shift):
+    """Of beads in an array of posts whose rows the flow crosses by this part of a row from
+    post to post: by the part of a parabola's flow beside a post that goes on into the next
+    gap (Inglis et al., Lab Chip 6 (2006) 655), and by experiments (Davis, thesis,
+    Princeton 2008: 1.4 gap shift^0.48)."""
+    # of the flow the part within a distance of the post: 3 y^2 - 2 y^3, y over the gap
+    y = brentq(lambda y: 3 * y**2 - 2 * y**3 - shift, 0, 0.5)
+    return 2 * y * gap, 1.4 * gap * shift**0.48
+
+
+def displacement(results):
+    """Rows of posts that a bead climbs while it passes two posts after the first."""
+    theory, experiments = critical_diameters(10, 0.1)
+    for name, radius, rows in ("large", 2.5, 0), ("small", 1.5, 1):
+        run = Case(f"runs/{name}")
+        path = run.position("bead")
+        touching = run.history["effects/contact/nearest"]["distance"].min()
+        # contact keeps surfaces apart, which is as if beads were larger by it
+        diameter = 2 * (radius + touching)
+        print(f"    {name}: diameter {diameter:.2f} um with contact, critical {theory:.2f} "
+              f"(theory), {experiments:.2f} (experiments)")
+        # bound: both are on their own side of both critical diameters; a row is a row
+        results.add(f"rows_climbed_{name}_abs", np.floor(path[-1, 1] / 20),
+                    rows, 0.5, variant="pillarArray", seconds=run.processor_seconds,
+                    cells=run.cells)
+
+
 def main():
     results = Results("C3")
+    displacement(results)
     across_sides(results)
     for run in cases("runs/1e*"):
         tolerance = os.path.basename(run.folder)

@@ -149,6 +149,20 @@ static void checkNumbers(checks& c)
         c, "bonds between two spheres", two, between,
         sqrt(sqr(deviation) + sqr(between*rest/8/3))
     );
+
+    testScene post(0.025, g0, 0.6);
+    post.addRoundWall(0.05, 0.6);
+    const scalar onRound = meanNumber
+    (
+        post,
+        "molecules { cap { A { density 1000; } } round { B { density 1e5; } } }"
+        " pairs { " + pairText("(A B)", "", on) + "}", 1, deviation
+    );
+    checkSigma
+    (
+        c, "bonds with a wall that is not plane", onRound, between,
+        sqrt(sqr(deviation) + sqr(between*rest/8/3))
+    );
 }
 
 

@@ -6,9 +6,10 @@ Application
     fsbiTestRepulsion
 
 Description
-    Checks of the repulsion between spheres and beside a wall: total forces
-    against integrals over true spheres, on finer and finer triangles; balance;
-    derivatives; what is told of walls.
+    Checks of the repulsion between spheres and beside walls, plane, round and
+    hollow, there of contact, too: total forces against integrals over true
+    spheres, on finer and finer triangles; balance; derivatives; what is told of
+    walls.
 
 \*---------------------------------------------------------------------------*/
 
@@ -228,6 +229,79 @@ static void checkImages(checks& c)
 }
 
 
+//- Force on the lower sphere beside a round wall, along z, by a law of distance
+static scalar besideRound(const scalar above, const scalar radius, scalar (*of)(scalar))
+{
+    const scalar R = twoSpheres::lower;
+    const label n = 4000, m = 200;
+    scalar sum = 0;
+    for (label i = 0; i < n*m; ++i)
+    {
+        const scalar theta = 0.5*pi*(i/m + 0.5)/n, phi = 2*pi*(i % m)/m;
+        const scalar y = R*Foam::sin(theta)*Foam::cos(phi);
+        const scalar z = radius + above + R*(1 - Foam::cos(theta));
+        const scalar r = Foam::hypot(y, z);
+        const scalar distance = radius > 0 ? r - radius : -radius - r;
+        sum += of(distance)*mag(z)/r*sqr(R)*Foam::sin(theta);
+    }
+    return sum*0.5*pi/n*2*pi/m;
+}
+
+
+static scalar repelling(const scalar distance)
+{
+    return law(distance - minimumGap);
+}
+
+
+//- Of contact with gap = range = 0.1, and a pressure of 1
+static scalar pressing(const scalar distance)
+{
+    const scalar s = distance/0.1 - 1;
+    return s < 1 ? 0.2*(1 - 3/sqr(s) + 2/pow3(s)) : 0;
+}
+
+
+//- A post or a tube, by facets that become finer with the sphere's triangles
+static void checkRound(checks& c, const std::string& name, const scalar radius)
+{
+    const scalar above = 0.15;
+    const scalar exact = besideRound(above, radius, repelling);
+    const scalar flat = besideRound(above, 1e6, repelling);
+    const scalar exactContact = besideRound(above, radius, pressing);
+    scalar off = GREAT;
+    for (const scalar size : {0.16, 0.08, 0.04})
+    {
+        const twoSpheres scene(size, 9, above, {}, twoSpheres::round(radius, size));
+        const scalar force =
+            scene.acting(scene.make(pressure)()).forces().whole[0][2];
+        const scalar contact = scene.touching("gap 0.1; pressure 1;").z();
+        Info<< "    " << name.c_str() << ", edges of " << size << ": repulsion "
+            << force << ", contact " << contact << " (exact " << exact << ", "
+            << exactContact << "; a plane " << flat << ')' << endl;
+        // bound: triangles of the sphere and the wall leave sagittas of size^2/8 of
+        // their curvatures, of a law that falls by 3/(above - minimumGap) a length
+        const scalar sagitta =
+            sqr(size)/8*(1/twoSpheres::lower + 1/mag(radius));
+        const std::string of = ", edges of " + std::to_string(size).substr(0, 4);
+        off = mag(force/exact - 1);
+        c.checkBelow
+        (
+            name + of + ": repulsion, the integral over the true sphere", off,
+            3/(above - minimumGap)*sagitta
+        );
+        // bound: the barrier falls by 3/s + 3/(1 - s) a range, 12 at s = 0.5, and is
+        // integrated in parts of 0.15 of its zone
+        c.checkBelow
+        (
+            name + of + ": contact, the integral over the true sphere",
+            mag(contact/exactContact - 1), 12/0.1*sagitta + sqr(0.15)
+        );
+    }
+    c.check(name + ": not as a plane", mag(flat/exact - 1) > 10*off);
+}
+
+
 static void checkWalls(checks& c)
 {
     const twoSpheres scene(0.16, gap);
@@ -237,8 +311,8 @@ static void checkWalls(checks& c)
     };
     c.check
     (
-        "a patch that is no plane wall is told",
-        told("").size() == 1 && told("")[0].name == "tube"
+        "a patch that is no wall is told",
+        told("").size() == 1 && told("")[0].name == "end"
     );
     c.check
     (
@@ -248,9 +322,9 @@ static void checkWalls(checks& c)
     );
     c.checkFatal
     (
-        "a pair with a patch that is not plane says why",
-        [&]{ scene.make(pressure + "between ((lower tube));"); },
-        "a patch, but not plane"
+        "a pair with a patch that is no wall says why",
+        [&]{ scene.make(pressure + "between ((lower end));"); },
+        "a patch, but its traction is given"
     );
     c.checkFatal
     (
@@ -269,6 +343,8 @@ int main()
     checkDerivative(c, "point forces: derivative", pointForce, 0.2);
     checkDerivative(c, "beyond the minimum gap: derivative", pressure, 0.03);
     checkImages(c);
+    checkRound(c, "a post", 1.5);
+    checkRound(c, "a tube", -3);
     checkWalls(c);
     return c.finish();
 }

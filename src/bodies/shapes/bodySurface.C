@@ -103,6 +103,18 @@ Foam::fsbi::bodySurface::bodySurface
 {}
 
 
+Foam::fsbi::bodySurface Foam::fsbi::bodySurface::open
+(
+    const pointField& points, const List<triFace>& triangles
+)
+{
+    bodySurface result;
+    result.points_ = points;
+    result.triangles_ = triangles;
+    return result;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::fsbi::bodySurface::volume() const
