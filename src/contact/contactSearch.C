@@ -44,7 +44,10 @@ static vector normalOf(const immersedBody& body, const point& on)
 
 bool Foam::fsbi::contact::face
 (
-    const currentSurfaces& now, const label other, const scalar reach,
+    const currentSurfaces& now,
+    const label body,
+    const label other,
+    const scalar reach,
     facing& f
 ) const
 {
@@ -56,27 +59,21 @@ bool Foam::fsbi::contact::face
     }
     else if (!now.isWall(other) && context_.bodies[other].hasShape())
     {
-        const immersedBody& body = context_.bodies[other];
-        const point site(f.site - f.way - body.toImage());
-        const point on(body.onShape(site));
-        f.normal = normalOf(body, on);
+        const immersedBody& shaped = context_.bodies[other];
+        const point site(f.site - f.way - shaped.toImage());
+        const point on(shaped.onShape(site));
+        f.normal = normalOf(shaped, on);
         f.distance = (site - on) & f.normal;
     }
     else
     {
         currentSurfaces::nearestPoint c;
-        if (!now.findImage(other, f.way, f.site, now.behind(other, reach), c))
+        if (!now.findSide(body, other, f.way, f.site, reach, c))
         {
             return false;
         }
-        const bodySurface& s = now.surface(other);
-        const vector outwards
-        (
-            s.triangles()[c.triangle].tri(s.points()).areaNormal()
-        );
-        const scalar side = (c.normal & outwards) < 0 ? -1 : 1;
-        f.distance = side*c.gap;
-        f.normal = side*c.normal;
+        f.distance = c.gap;
+        f.normal = c.normal;
         f.otherTriangle = c.triangle;
     }
     f.nearest = f.site - f.distance*f.normal;
@@ -113,7 +110,7 @@ void Foam::fsbi::contact::divide
         f.triangle = triangle;
         f.way = way;
         f.site = place(i + side/3, j + side/3);
-        if (!face(now, other, reach, f))
+        if (!face(now, body, other, reach, f))
         {
             return;
         }
@@ -175,7 +172,7 @@ void Foam::fsbi::contact::search
             facing f;
             f.way = way;
             f.site = now.centroid(body, t);
-            if (around.contains(f.site) && face(now, other, near[t], f))
+            if (around.contains(f.site) && face(now, body, other, near[t], f))
             {
                 divide(now, body, other, t, way, reach, visit);
             }
@@ -188,7 +185,10 @@ void Foam::fsbi::contact::search
     }
     for (const vector& way : now.ways(body == other))
     {
-        const boundBox around(now.bounds(other, way, max(near)));
+        const boundBox around
+        (
+            now.bounds(other, way, max(near) + now.depth(body, other))
+        );
         if (around.overlaps(s.bounds()))
         {
             searchImage(way, around);

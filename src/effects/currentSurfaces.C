@@ -14,7 +14,8 @@ Foam::fsbi::currentSurfaces::currentSurfaces
     context_(context),
     surfaces_(context.bodies.size()),
     searches_(context.bodies.size()),
-    velocities_(context.bodies.size())
+    velocities_(context.bodies.size()),
+    sizes_(context.bodies.size(), Zero)
 {}
 
 
@@ -57,7 +58,7 @@ const Foam::fsbi::bodySurface& Foam::fsbi::currentSurfaces::surface
 {
     if (isWall(surface))
     {
-        return wall(surface).facets->surface;
+        return wall(surface).facets->surface();
     }
     const label body = surface;
     if (!surfaces_.set(body))
@@ -129,7 +130,7 @@ const Foam::fsbi::surfaceDistance& Foam::fsbi::currentSurfaces::search
 {
     if (isWall(surface))
     {
-        return wall(surface).facets->search;
+        return wall(surface).facets->search();
     }
     if (!searches_.set(surface))
     {
@@ -137,6 +138,23 @@ const Foam::fsbi::surfaceDistance& Foam::fsbi::currentSurfaces::search
         searches_.set(surface, new surfaceDistance(s.points(), s.triangles()));
     }
     return searches_[surface];
+}
+
+
+Foam::scalar Foam::fsbi::currentSurfaces::depth
+(
+    const label body, const label surface
+) const
+{
+    if (!isWall(surface))
+    {
+        return 0;
+    }
+    if (sizes_[body] == 0)
+    {
+        sizes_[body] = this->surface(body).bounds().mag();
+    }
+    return sizes_[body];
 }
 
 
@@ -232,6 +250,35 @@ bool Foam::fsbi::currentSurfaces::findImage
         c.gap > 1e-9*boundBox(s.points(), false).mag()
       ? (p - on)/c.gap : corners.unitNormal();
     return true;
+}
+
+
+bool Foam::fsbi::currentSurfaces::findSide
+(
+    const label body,
+    const label surface,
+    const vector& way,
+    const point& x,
+    const scalar reach,
+    nearestPoint& c
+) const
+{
+    if (!findImage(surface, way, x, reach + depth(body, surface), c))
+    {
+        return false;
+    }
+    const bodySurface& s = this->surface(surface);
+    const vector outwards(s.triangles()[c.triangle].areaNormal(s.points()));
+    const bool behind =
+        isWall(surface)
+      ? wall(surface).facets->behind(x - way - shift(surface), c.triangle)
+      : (c.normal & outwards) < 0;
+    if (behind)
+    {
+        c.gap *= -1;
+        c.normal *= -1;
+    }
+    return c.gap < reach;
 }
 
 

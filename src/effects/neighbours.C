@@ -29,6 +29,7 @@ static bool nearPlane
 static bool nearImage
 (
     const currentSurfaces& now,
+    const label body,
     const label other,
     const vector& way,
     const scalar reach,
@@ -36,23 +37,16 @@ static bool nearImage
 )
 {
     currentSurfaces::nearestPoint c;
-    if (!now.findImage(other, way, n.centre, now.behind(other, reach), c))
+    if (!now.findSide(body, other, way, n.centre, reach, c))
     {
         return false;
     }
-    // which side: by the nearest triangle's own normal
-    const bodySurface& s = now.surface(other);
-    const vector outwards
-    (
-        s.triangles()[c.triangle].tri(s.points()).areaNormal()
-    );
-    const scalar side = (c.normal & outwards) < 0 ? -1 : 1;
-    n.gap = side*c.gap;
-    n.normal = side*c.normal;
+    n.gap = c.gap;
+    n.normal = c.normal;
     n.nearest = c.nearest;
     n.way = way;
     n.otherTriangle = c.triangle;
-    return n.gap < reach;
+    return true;
 }
 
 } // End namespace fsbi
@@ -88,7 +82,10 @@ Foam::DynamicList<Foam::fsbi::neighbour> Foam::fsbi::neighbours
     }
     for (const vector& way : now.ways(body == other))
     {
-        const boundBox box(now.bounds(other, way, reach));
+        const boundBox box
+        (
+            now.bounds(other, way, reach + now.depth(body, other))
+        );
         if (!box.overlaps(now.surface(body).bounds()))
         {
             continue;
@@ -101,7 +98,7 @@ Foam::DynamicList<Foam::fsbi::neighbour> Foam::fsbi::neighbours
             if
             (
                 box.contains(n.centre)
-             && nearImage(now, other, way, reach, n)
+             && nearImage(now, body, other, way, reach, n)
             )
             {
                 found.append(n);

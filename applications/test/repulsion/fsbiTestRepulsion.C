@@ -302,6 +302,38 @@ static void checkRound(checks& c, const std::string& name, const scalar radius)
 }
 
 
+//- A plate at z = 0 that ends at x = 0, and the sphere beyond its end, below it
+static void checkBorder(checks& c)
+{
+    domainWall plate{"plate", Zero, Zero, Zero};
+    plate.facets = std::make_shared<const wallFacets>
+    (
+        bodySurface::open
+        (
+            pointField(List<point>{{-4, -4, 0}, {0, -4, 0}, {0, 4, 0}, {-4, 4, 0}}),
+            {triFace(0, 1, 2), triFace(0, 2, 3)}
+        )
+    );
+    twoSpheres scene(0.16, 9, 9, {}, plate);
+    const auto force = [&](const point& centre)
+    {
+        scene.sphere(0).centre = centre;
+        return linear(scene.acting(scene.make(pressure)()).forces().whole[0]);
+    };
+    const vector beyond(force({1.2, 0, -0.3}));
+    c.check
+    (
+        "nothing is behind a wall that is beyond its border",
+        beyond.x() > 0 && beyond.z() < 0
+    );
+    c.checkFatal
+    (
+        "a sphere behind a wall that is not plane is told",
+        [&]{ force({-2, 0, -1.5}); }, "less than minimumGap"
+    );
+}
+
+
 static void checkWalls(checks& c)
 {
     const twoSpheres scene(0.16, gap);
@@ -345,6 +377,7 @@ int main()
     checkImages(c);
     checkRound(c, "a post", 1.5);
     checkRound(c, "a tube", -3);
+    checkBorder(c);
     checkWalls(c);
     return c.finish();
 }
