@@ -58,7 +58,7 @@ const Foam::fsbi::bodySurface& Foam::fsbi::currentSurfaces::surface
 {
     if (isWall(surface))
     {
-        return wall(surface).facets->surface();
+        return wall(surface).facets->surface;
     }
     const label body = surface;
     if (!surfaces_.set(body))
@@ -130,7 +130,7 @@ const Foam::fsbi::surfaceDistance& Foam::fsbi::currentSurfaces::search
 {
     if (isWall(surface))
     {
-        return wall(surface).facets->search();
+        return wall(surface).facets->search;
     }
     if (!searches_.set(surface))
     {
@@ -267,13 +267,7 @@ bool Foam::fsbi::currentSurfaces::findSide
     {
         return false;
     }
-    const bodySurface& s = this->surface(surface);
-    const vector outwards(s.triangles()[c.triangle].areaNormal(s.points()));
-    const bool behind =
-        isWall(surface)
-      ? wall(surface).facets->behind(x - way - shift(surface), c.triangle)
-      : (c.normal & outwards) < 0;
-    if (behind)
+    if (search(surface).behind(x - way - shift(surface), c.triangle))
     {
         c.gap *= -1;
         c.normal *= -1;

@@ -404,7 +404,10 @@ Foam::fsbi::conformalMesher::conformalMesher
     walls_(outline_.triangulation()),
     barriers_
     (
-        wallsIn([this](const label patch) { return !cyclics_.found(patch); })
+        walls_.part
+        (
+            [this](const label patch) { return !cyclics_.found(patch); }
+        )
     ),
     cellsTold_(0)
 {}
@@ -422,7 +425,7 @@ Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::conformalMesher::refined
     // nothing holds the flow back at an open patch
     const bodySurface walls
     (
-        wallsIn
+        walls_.part
         (
             [this](const label patch)
             {

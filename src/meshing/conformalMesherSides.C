@@ -13,29 +13,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::fsbi::bodySurface Foam::fsbi::conformalMesher::wallsIn
-(
-    const std::function<bool(const label)>& patches
-) const
-{
-    DynamicList<point> corners;
-    DynamicList<triFace> triangles;
-    forAll(walls_.patches, i)
-    {
-        if (patches(walls_.patches[i]))
-        {
-            const label n = corners.size();
-            triangles.append(triFace(n, n + 1, n + 2));
-            for (const label p : walls_.surface.triangles()[i])
-            {
-                corners.append(walls_.surface.points()[p]);
-            }
-        }
-    }
-    return bodySurface(pointField(corners), triangles);
-}
-
-
 Foam::List<Foam::vector> Foam::fsbi::conformalMesher::images() const
 {
     return open_ ? imagesOf(cyclics_.periods()) : cyclics_.translations();

@@ -361,26 +361,26 @@ Foam::fsbi::domainOutline::domainOutline(const polyMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::fsbi::bodySurface Foam::fsbi::domainBoundary::inwards
+Foam::fsbi::bodySurface Foam::fsbi::domainBoundary::part
 (
-    const label patch
+    const std::function<bool(const label)>& chosen
 ) const
 {
-    DynamicList<face> chosen;
+    DynamicList<face> faces;
     forAll(patches, i)
     {
-        if (patches[i] == patch)
+        if (chosen(patches[i]))
         {
-            chosen.append(face(surface.triangles()[i].reverseFace()));
+            faces.append(face(surface.triangles()[i]));
         }
     }
-    const ownedPatch faces(chosen, surface.points());
-    List<triFace> triangles(faces.size());
-    forAll(faces, i)
+    const ownedPatch connected(faces, surface.points());
+    List<triFace> triangles(connected.size());
+    forAll(triangles, i)
     {
-        triangles[i] = triFace(faces.localFaces()[i]);
+        triangles[i] = triFace(connected.localFaces()[i]);
     }
-    return bodySurface::open(faces.localPoints(), triangles);
+    return bodySurface::open(connected.localPoints(), triangles);
 }
 
 

@@ -9,6 +9,35 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluidMesh.H"
 #include "wallFacets.H"
 #include "ListOps.H"
+#include "mergePoints.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Of a surface's size: corners nearer than that are one
+static const scalar sameCorner = 1e-9;
+
+static bodySurface connected(const bodySurface& surface)
+{
+    labelList number;
+    pointField points;
+    mergePoints
+    (
+        surface.points(), sameCorner*surface.bounds().mag(), false, number, points
+    );
+    List<triFace> triangles(surface.triangles());
+    for (triFace& t : triangles)
+    {
+        inplaceRenumber(number, t);
+    }
+    return bodySurface::open(points, triangles);
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
 
 const Foam::fsbi::triangleTree* Foam::fsbi::fluidMesh::patchTree
 (
@@ -66,10 +95,11 @@ Foam::fsbi::bodySurface Foam::fsbi::fluidMesh::describedSurface
         const label patchi = domain.boundaryMesh().findPatchID(patch);
         if (patchi >= 0)
         {
+            const auto isIt = [=](const label i) { return i == patchi; };
             found =
                 mesher_
-              ? mesher_->boundary().inwards(patchi)
-              : domainOutline(domain).triangulation().inwards(patchi);
+              ? mesher_->boundary().part(isIt)
+              : domainOutline(domain).triangulation().part(isIt);
         }
     }
     Pstream::scatter(found);
@@ -88,15 +118,20 @@ std::shared_ptr<const Foam::fsbi::wallFacets> Foam::fsbi::fluidMesh::facets
         bodySurface surface(describedSurface(patch));
         if (surface.triangles().empty())
         {
-            surface = patchSurface(patch);
-            List<triFace> inwards(surface.triangles());
-            for (triFace& t : inwards)
-            {
-                t.flip();
-            }
-            surface = bodySurface::open(surface.points() - shift(), inwards);
+            surface = connected
+            (
+                patchSurface(patch).transformed(tensor::I, -shift())
+            );
         }
-        wall = std::make_shared<const wallFacets>(surface);
+        List<triFace> inwards(surface.triangles());
+        for (triFace& t : inwards)
+        {
+            t.flip();
+        }
+        wall = std::make_shared<const wallFacets>
+        (
+            bodySurface::open(surface.points(), inwards)
+        );
     }
     return wall;
 }
