@@ -110,13 +110,11 @@ void Foam::fsbi::adhesion::readPopulations
                 new population
                 {
                     surface, e.keyword(), e.dict(), entries.positive("density"),
-                    nullptr, counterRandom(seed, name + "/places"), {}, {}, {}
+                    counterRandom(seed, name + "/places"), nullptr, nullptr,
+                    {}, {}, {}
                 }
             );
-            if (entries.found("blocked"))
-            {
-                p->blocked = timeFunction<scalar>("blocked", entries);
-            }
+            p->readBlocked(entries, context);
             entries.finish();
             p->blockedAt(context.time.value());
             populations_.append(p.ptr());
@@ -250,6 +248,45 @@ void Foam::fsbi::adhesion::addSets
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsbi::adhesion::population::readBlocked
+(
+    const checkedDictionary& entries, const effectContext& context
+)
+{
+    const word key("blocked");
+    if (!entries.found(key))
+    {
+        return;
+    }
+    const entry* e = entries.dict().findEntry(key, keyType::LITERAL);
+    const tokenList tokens(e->isStream() ? e->stream() : tokenList());
+    const word species("species");
+    if (tokens.empty() || !tokens[0].isWord() || tokens[0].wordToken() != species)
+    {
+        blocked = timeFunction<scalar>(key, entries);
+        return;
+    }
+    if (tokens.size() != 2 || !tokens[1].isWord())
+    {
+        FatalIOErrorInFunction(entries.dict())
+            << "Entry '" << key << "' on line " << e->startLineNumber()
+            << " must be: " << key << " species NAME; the name is one of"
+            << " constant/species" << exit(FatalIOError);
+    }
+    if (!context.occupied)
+    {
+        FatalIOErrorInFunction(entries.dict())
+            << "Entry '" << key << "' names species '" << tokens[1].wordToken()
+            << "', but nothing is dissolved: there is no file constant/species"
+            << exit(FatalIOError);
+    }
+    occupied = &context.occupied
+    (
+        tokens[1].wordToken(), context.names()[surface], entries.dict()
+    );
+}
+
 
 Foam::scalar Foam::fsbi::adhesion::population::blockedAt
 (

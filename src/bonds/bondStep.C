@@ -129,7 +129,14 @@ bool Foam::fsbi::bondStep::offer
 )
 {
     const bool can = channel.rate > 0
-     && free_.unblocked({adhesion_.sets()[set].receptors, site, 0});
+     && free_.unblocked
+        (
+            {adhesion_.sets()[set].receptors, site, 0},
+            surfaces_.position
+            (
+                adhesion_.sets()[set].body, adhesion_.sets()[set].sites[site]
+            )
+        );
     if (can)
     {
         activate(set, site).channels.append(channel);
@@ -290,7 +297,7 @@ void Foam::fsbi::bondStep::react
     }
     const bond b(form(s, s.channels[w], draws));
     // molecules that are not free are still counted in the rate: they say no
-    if (free_.free(receptor(s)) && free_.free(b.ligand))
+    if (free_.free(receptor(s), s.place) && free_.free(b.ligand, end(s, b)))
     {
         free_.take(receptor(s));
         free_.take(b.ligand);

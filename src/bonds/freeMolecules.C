@@ -19,7 +19,8 @@ Foam::fsbi::freeMolecules::freeMolecules
     surfaces_(surfaces),
     slid_(slid),
     blocked_(a.populations().size()),
-    places_(a.populations().size())
+    places_(a.populations().size()),
+    sites_(a.populations().size())
 {
     forAll(blocked_, i)
     {
@@ -30,29 +31,42 @@ Foam::fsbi::freeMolecules::freeMolecules
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-const Foam::fsbi::freeMolecules::places&
-Foam::fsbi::freeMolecules::placesOf(const label population)
+Foam::scalar Foam::fsbi::freeMolecules::blocked
+(
+    const label population, const point& x
+)
+{
+    const occupiedSites* sites = adhesion_.populations()[population].occupied;
+    if (!sites)
+    {
+        return blocked_[population];
+    }
+    if (sites->places.empty())
+    {
+        return 0;
+    }
+    if (!sites_.set(population))
+    {
+        sites_.set(population, new pointSearch(sites->places));
+    }
+    return sites->parts[sites_[population].nearest(x)];
+}
+
+
+const Foam::fsbi::pointSearch& Foam::fsbi::freeMolecules::placesOf
+(
+    const label population
+)
 {
     if (!places_.set(population))
     {
         const adhesion::population& p = adhesion_.populations()[population];
-        autoPtr<places> found(new places);
-        found->points.setSize(p.molecules.size());
+        pointField points(p.molecules.size());
         forAll(p.molecules, i)
         {
-            found->points[i] = surfaces_.position(p.surface, p.molecules[i]);
+            points[i] = surfaces_.position(p.surface, p.molecules[i]);
         }
-        // the box must be thick also around one molecule
-        treeBoundBox box(surfaces_.surface(p.surface).bounds());
-        box.inflate(0.01);
-        found->tree.reset
-        (
-            new indexedOctree<treeDataPoint>
-            (
-                treeDataPoint(found->points), box, 8, 10, 3.0
-            )
-        );
-        places_.set(population, found.ptr());
+        places_.set(population, new pointSearch(points));
     }
     return places_[population];
 }
@@ -108,6 +122,5 @@ Foam::fsbi::molecule Foam::fsbi::freeMolecules::at
     {
         return patch(population, x);
     }
-    const auto& tree = placesOf(population).tree();
-    return {population, tree.findNearest(x, sqr(GREAT)).index(), 0};
+    return {population, placesOf(population).nearest(x), 0};
 }

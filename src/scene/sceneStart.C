@@ -47,6 +47,7 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
         );
     }
     reportUnread();
+    createCarried(saved.subOrEmptyDict("species"));
     createEffects(saved.subOrEmptyDict("effects"));
     if (fluid_ && bodies_.elastic.size())
     {
@@ -57,7 +58,6 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
     {
         traffic_.set(fluid_(), effects_.get());
     }
-    createCarried(saved.subOrEmptyDict("species"));
     listParticipants();
     if (coupling_ && saved.found("coupling"))
     {
@@ -122,7 +122,7 @@ void Foam::fsbi::scene::createEffects(const dictionary& saved)
         (
             {
                 time_, bodies_.immersed, fluid_->walls(), fluid_->unseen(),
-                gravities(), fluid_->meshing().images()
+                gravities(), fluid_->meshing().images(), sitesOccupied()
             },
             triangles, timings_, saved
         )
@@ -133,6 +133,23 @@ void Foam::fsbi::scene::createEffects(const dictionary& saved)
         fluid_->confine("effect '" + name + "' sees no periodic images");
     }
     fluid_->setEffects(effects_());
+}
+
+
+decltype(Foam::fsbi::effectContext::occupied)
+Foam::fsbi::scene::sitesOccupied()
+{
+    if (!carried_)
+    {
+        return nullptr;
+    }
+    return [this]
+    (
+        const word& species, const word& surface, const dictionary& where
+    ) -> const occupiedSites&
+    {
+        return carried_->occupied(species, surface, where);
+    };
 }
 
 

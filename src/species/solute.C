@@ -33,26 +33,13 @@ static scalar level
     return moved + down;
 }
 
-//- Guesses of what surfaces hold at the end of a step
+//- Solutions for what is bound at the end of a step, and part of the sites that
+//  may be missing
 static const label mostGuesses = 40;
+static const scalar sameBound = 1e-8;
 
 } // End namespace fsbi
 } // End namespace Foam
-
-
-Foam::labelPair Foam::fsbi::solute::faces(const soluteSurface& surface) const
-{
-    const polyBoundaryMesh& patches = fluid_.mesh().boundaryMesh();
-    const label patchi = patches.findPatchID(surface.name());
-    return
-        patchi < 0
-      ? labelPair(0, 0)
-      : labelPair
-        (
-            patches[patchi].start() - fluid_.mesh().nInternalFaces(),
-            patches[patchi].size()
-        );
-}
 
 
 Foam::scalar Foam::fsbi::solute::highest() const
@@ -79,7 +66,7 @@ Foam::fsbi::boundaryLaw Foam::fsbi::solute::flowing
     }
     for (const soluteSurface& surface : surfaces_)
     {
-        const labelPair range(faces(surface));
+        const labelPair range(surface.faces(fluid_.mesh()));
         for (label i = range.first(); i < range.first() + range.second(); ++i)
         {
             law.value[i] = surface.inflowing();
@@ -93,13 +80,13 @@ Foam::fsbi::boundaryLaw Foam::fsbi::solute::law
 (
     const relativeFlux& flux,
     const scalar dt,
-    const UList<soluteSurface::guess>& guesses
+    const UList<scalar>& atWall
 ) const
 {
     boundaryLaw law(flowing(flux));
     forAll(surfaces_, s)
     {
-        const labelPair range(faces(surfaces_[s]));
+        const labelPair range(surfaces_[s].faces(fluid_.mesh()));
         scalar area = 0;
         for (label i = range.first(); i < range.first() + range.second(); ++i)
         {
@@ -112,7 +99,7 @@ Foam::fsbi::boundaryLaw Foam::fsbi::solute::law
         surfaces_[s].set
         (
             range.first(), range.second(), dt, area, now_.surfaces[s],
-            guesses[s].bound, law
+            bound_.densities(), atWall, law
         );
     }
     return law;
@@ -124,7 +111,7 @@ Foam::fsbi::solute::uptake Foam::fsbi::solute::taken
     const soluteSurface& surface, const soluteTransport& solution
 ) const
 {
-    const labelPair range(faces(surface));
+    const labelPair range(surface.faces(fluid_.mesh()));
     scalarList sums(3, Zero);
     for (label i = range.first(); i < range.first() + range.second(); ++i)
     {
@@ -146,37 +133,21 @@ Foam::fsbi::outcome Foam::fsbi::solute::solve
     const relativeFlux& flux, const scalar dt, soluteTransport& transport
 )
 {
-    List<soluteSurface::guess> guesses(surfaces_.size());
-    bool binds = false;
-    forAll(surfaces_, s)
-    {
-        guesses[s].bound = now_.surfaces[s].held;
-        binds = binds || surfaces_[s].binds();
-    }
     next_ = now_;
+    // from none at the walls on, see soluteSurface
+    scalarField atWall(transport.atWall().size(), Zero);
     for (label k = 0; k < mostGuesses; ++k)
     {
-        const boundaryLaw laws(law(flux, dt, guesses));
+        const boundaryLaw laws(law(flux, dt, atWall));
         const outcome solved
         (
             transport.solve(laws, tolerance_, k == 0, next_.c)
         );
-        bool agreed = true;
-        for (label s = 0; solved && s < surfaces_.size(); ++s)
-        {
-            const uptake u(taken(surfaces_[s], transport));
-            if (surfaces_[s].binds() && u.area > 0)
-            {
-                agreed = surfaces_[s].improve
-                (
-                    now_.surfaces[s], dt, dt*u.rate/u.area, u.wall, guesses[s]
-                ) && agreed;
-            }
-        }
-        if (!solved || agreed)
+        if (!solved || bound_.missing(transport, dt) <= sameBound)
         {
             return solved;
         }
+        atWall = max(transport.atWall(), scalar(0));
     }
     return outcome::failed
     (
@@ -193,6 +164,7 @@ void Foam::fsbi::solute::account
     const soluteTransport& solution
 )
 {
+    bound_.advance(solution, dt);
     const scalarField& through = solution.through();
     scalar all = 0;
     forAll(through, i)
@@ -206,8 +178,12 @@ void Foam::fsbi::solute::account
         const uptake u(taken(surfaces_[s], solution));
         next_.surfaces[s] = surfaces_[s].after
         (
-            now_.surfaces[s], dt, u.area, dt*u.rate, u.wall
+            now_.surfaces[s], dt, dt*u.rate, u.wall
         );
+        if (surfaces_[s].binds())
+        {
+            next_.surfaces[s].held = bound_.mean(surfaces_[s]);
+        }
         if (!surfaces_[s].isInflow())
         {
             ofSurfaces += u.rate;
@@ -276,6 +252,13 @@ Foam::fsbi::outcome Foam::fsbi::solute::advance
 Foam::scalar Foam::fsbi::solute::amount() const
 {
     return gSum(scalarField(fluid_.mesh().cellVolumes()*now_.c));
+}
+
+
+void Foam::fsbi::solute::accept()
+{
+    now_ = next_;
+    bound_.accept();
 }
 
 

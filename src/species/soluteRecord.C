@@ -31,7 +31,8 @@ Foam::fsbi::solute::solute
 )
 :
     fluid_(fluid),
-    name_(dict.dictName())
+    name_(dict.dictName()),
+    bound_(fluid, name_, surfaces_)
 {
     if (ofTheFlow(name_))
     {
@@ -55,6 +56,7 @@ Foam::fsbi::solute::solute
     {
         now_.surfaces[s] = surfaces_[s].start();
     }
+    bound_.start();
     setInitial(entries);
     entries.finish();
     if (saved.size())
@@ -167,8 +169,11 @@ void Foam::fsbi::solute::declare(recording& history) const
         history.declare
         (
             fileName(name_)/"surfaces"/surface.name(),
-            {"rate", "released", "held", "concentration"},
-            surface.binds() ? "N/T, N, N/L^2, N/L^3" : "N/T, N, N, N/L^3"
+            surface.binds()
+          ? wordList({"rate", "released", "held", "concentration", "heldMost"})
+          : wordList({"rate", "released", "held", "concentration"}),
+            surface.binds()
+          ? "N/T, N, N/L^2, N/L^3, N/L^2" : "N/T, N, N, N/L^3"
         );
     }
 }
@@ -189,11 +194,12 @@ void Foam::fsbi::solute::record(recording& history) const
     forAll(surfaces_, s)
     {
         const soluteSurface::memory& m = now_.surfaces[s];
-        history.append
-        (
-            fileName(name_)/"surfaces"/surfaces_[s].name(),
-            scalarList({m.rate, m.released, m.held, m.wall})
-        );
+        scalarList row({m.rate, m.released, m.held, m.wall});
+        if (surfaces_[s].binds())
+        {
+            row.append(bound_.most(surfaces_[s]));
+        }
+        history.append(fileName(name_)/"surfaces"/surfaces_[s].name(), row);
     }
 }
 
@@ -226,6 +232,7 @@ void Foam::fsbi::solute::write
     }
     c.correctBoundaryConditions();
     add(c);
+    bound_.write(add);
 }
 
 
@@ -286,4 +293,5 @@ void Foam::fsbi::solute::restore(const dictionary& saved)
             now_.surfaces[s] = {m[0], m[1], m[2], m[3]};
         }
     }
+    bound_.restore();
 }

@@ -10,9 +10,6 @@ namespace Foam
 namespace fsbi
 {
 
-//- Part of the sites that may be missing
-static const scalar sameBound = 1e-8;
-
 //- Fatal if an entry is negative
 static scalar notNegative
 (
@@ -95,6 +92,18 @@ void Foam::fsbi::soluteSurface::read(const checkedDictionary& entries)
 }
 
 
+Foam::labelPair Foam::fsbi::soluteSurface::faces(const polyMesh& mesh) const
+{
+    const label patchi = mesh.boundaryMesh().findPatchID(name_);
+    if (patchi < 0)
+    {
+        return {0, 0};
+    }
+    const polyPatch& patch = mesh.boundaryMesh()[patchi];
+    return {patch.start() - mesh.nInternalFaces(), patch.size()};
+}
+
+
 void Foam::fsbi::soluteSurface::set
 (
     const label first,
@@ -102,7 +111,8 @@ void Foam::fsbi::soluteSurface::set
     const scalar dt,
     const scalar area,
     const memory& before,
-    const scalar bound,
+    const UList<scalar>& bound,
+    const UList<scalar>& c,
     boundaryLaw& law
 ) const
 {
@@ -123,17 +133,18 @@ void Foam::fsbi::soluteSurface::set
           ? -before.held*std::expm1(-k_*dt)/(max(area, VSMALL)*dt)
           : given_;
     }
-    else if (type_ == "uptake")
+    else
     {
         a = k_;
     }
-    else
-    {
-        a = kOn_*(sites_ - bound);
-        b = kOff_*bound;
-    }
     for (label i = first; i < first + size; ++i)
     {
+        if (binds())
+        {
+            const scalar after = boundAfter(bound[i], dt, c[i]);
+            a = kOn_*(sites_ - after)/(1 + dt*(kOff_ + kOn_*c[i]));
+            b = a*c[i] - (after - bound[i])/dt;
+        }
         law.kinds[i] = kind;
         law.value[i] = given_;
         law.a[i] = a;
@@ -142,44 +153,10 @@ void Foam::fsbi::soluteSurface::set
 }
 
 
-bool Foam::fsbi::soluteSurface::improve
-(
-    const memory& before,
-    const scalar dt,
-    const scalar taken,
-    const scalar wall,
-    guess& g
-) const
-{
-    g.missing = before.held + taken - g.bound;
-    const bool atEnd =
-        (g.bound <= 0 && g.missing < 0) || (g.bound >= sites_ && g.missing > 0);
-    if (mag(g.missing) <= sameBound*sites_ || atEnd)
-    {
-        return true;
-    }
-    // as if the concentration did not answer; that makes the slope less steep,
-    // but not below that of b itself
-    scalar slope = -1 - dt*(kOff_ + kOn_*max(wall, scalar(0)));
-    if (g.lastBound >= 0 && g.lastBound != g.bound)
-    {
-        slope = min
-        (
-            (g.missing - g.lastMissing)/(g.bound - g.lastBound), scalar(-1)
-        );
-    }
-    g.lastBound = g.bound;
-    g.lastMissing = g.missing;
-    g.bound = min(max(g.bound - g.missing/slope, scalar(0)), sites_);
-    return false;
-}
-
-
 Foam::fsbi::soluteSurface::memory Foam::fsbi::soluteSurface::after
 (
     const memory& before,
     const scalar dt,
-    const scalar area,
     const scalar taken,
     const scalar wall
 ) const
@@ -191,10 +168,6 @@ Foam::fsbi::soluteSurface::memory Foam::fsbi::soluteSurface::after
     if (finite_)
     {
         m.held += taken;
-    }
-    else if (binds() && area > 0)
-    {
-        m.held += taken/area;
     }
     return m;
 }

@@ -265,14 +265,24 @@ void Foam::fsbi::soluteTransport::setLimits(const scalarField& c)
     walls_ = oneSided;
     residual(c.cdata(), 1, r.begin());
     limits_ = gradients_.limits(c_, g_);
+    setWalls();
+}
+
+
+void Foam::fsbi::soluteTransport::setWalls()
+{
+    const labelList& owner = stencil_.mesh().faceOwner();
     forAll(walls_, i)
     {
-        const label facei = stencil_.mesh().nInternalFaces() + i;
         // what flows out of a cell must, or nothing balances what flows in
-        if (law_->kinds[i] == boundaryLaw::exchange && atWall_[i] < 0)
+        if
+        (
+            law_->kinds[i] == boundaryLaw::exchange
+         && max(law_->b[i], scalar(0)) + D_*normal(i).offset < 0
+        )
         {
-            walls_[i] =
-                c[stencil_.mesh().faceOwner()[facei]] < 0 ? zero : twoPoint;
+            const scalar c = c_[owner[stencil_.mesh().nInternalFaces() + i]];
+            walls_[i] = c < 0 ? zero : twoPoint;
         }
     }
 }
@@ -305,6 +315,12 @@ Foam::fsbi::outcome Foam::fsbi::soluteTransport::solve
             setLimits(c);
         }
         residual(c.cdata(), 1, r.begin());
+        if (k == 0 && settled)
+        {
+            // walls that another law would make negative
+            setWalls();
+            residual(c.cdata(), 1, r.begin());
+        }
         const scalar size = norm(r);
         const scalar wanted = max
         (

@@ -61,6 +61,22 @@ Foam::wordList Foam::fsbi::species::names() const
 }
 
 
+const Foam::fsbi::occupiedSites& Foam::fsbi::species::occupied
+(
+    const word& name, const word& surface, const dictionary& where
+)
+{
+    const label i = names().find(name);
+    if (i < 0)
+    {
+        FatalIOErrorInFunction(where)
+            << "There is no species '" << name << "' in constant/species; valid are "
+            << flatOutput(names()) << exit(FatalIOError);
+    }
+    return solutes_[i].bound().occupied(surface, where);
+}
+
+
 void Foam::fsbi::species::take()
 {
     points_ = mesh().points();
@@ -114,6 +130,10 @@ void Foam::fsbi::species::release()
     {
         stencil.reset(new meshStencil(mesh()));
     }
+    for (solute& s : solutes_)
+    {
+        s.bound().release();
+    }
     old_.clear();
     for (label first = 0; first < solutes_.size(); first += 3)
     {
@@ -157,6 +177,7 @@ void Foam::fsbi::species::renew()
                 mine *= amounts_[i]/there;
             }
             solutes_[i].set(std::move(mine), same ? 0 : there - amounts_[i]);
+            solutes_[i].bound().renew();
         }
     }
     old_.clear();

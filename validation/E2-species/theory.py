@@ -128,3 +128,11 @@ def graetz(length, pe, points=1200, steps=4000):
         c = solve_banded((1, 1), m, b)
         total += dx * g[0] * (1 - c[0])
     return total * pe / length
+
+
+def bound(t, k_on, k_off, points=2000):
+    """Part of the sites taken on a wall along which the concentration is linear from
+    0 to 1, by Langmuir's law at every place, in the mean."""
+    c = (np.arange(points) + 0.5) / points
+    rate = k_on * c + k_off
+    return np.mean(k_on * c / rate * -np.expm1(-rate * t))
