@@ -134,8 +134,15 @@ Foam::fsbi::outcome Foam::fsbi::solute::solve
 )
 {
     next_ = now_;
-    // from none at the walls on, see soluteSurface
-    scalarField atWall(transport.atWall().size(), Zero);
+    // where diffusion is faster than binding, that will nearly do
+    scalarField atWall(transport.atWall().size());
+    forAll(atWall, i)
+    {
+        atWall[i] = now_.c
+        [
+            fluid_.mesh().faceOwner()[fluid_.mesh().nInternalFaces() + i]
+        ];
+    }
     for (label k = 0; k < mostGuesses; ++k)
     {
         const boundaryLaw laws(law(flux, dt, atWall));

@@ -42,6 +42,9 @@ def options_of(program):
     p.add_argument("--warp", type=float, metavar="FACTOR",
                    help="move the points by this times D")
     p.add_argument("--bodies", nargs="*", default=[], help="patches drawn whole")
+    p.add_argument("--body-field", help="of the patches, colours the bodies")
+    p.add_argument("--body-range", nargs=2, type=float, help="of these colours")
+    p.add_argument("--body-label", help="of their bar, with the unit; default: the field")
     p.add_argument("--normal", nargs=3, type=float, default=[0, 0, 1],
                    help="of the cut, towards the viewer")
     p.add_argument("--origin", nargs=3, type=float,
@@ -258,9 +261,10 @@ class Scene:
         """Add all that is asked for; returns what the camera looks at."""
         o = self.options
         target = self._bodies_only() if o.no_cut else self._cut()
+        table = self._body_colours() if o.body_field and self.bodies else None
         for i, body in enumerate(self.bodies):
             shown = self.add(cuts.outwards(body), BODY_COLOURS[i % 5],
-                             None if o.no_edges else "#5a3a10")
+                             None if o.no_edges else "#5a3a10", table=table)
             if o.see_through < 1:
                 shown.GetProperty().SetOpacity(o.see_through)
                 shown.GetProperty().BackfaceCullingOn()
@@ -272,6 +276,17 @@ class Scene:
         if o.B:
             self._field(target)
         return cuts.middle(target)
+
+    def _body_colours(self):
+        from fsbi import plots
+        o = self.options
+        for body in self.bodies:
+            cuts.colour_by(body, o.body_field, None, 1)
+        ranges = [b.GetPointData().GetScalars().GetRange() for b in self.bodies]
+        bounds = o.body_range or (min(r[0] for r in ranges), max(r[1] for r in ranges))
+        colours = plots.matplotlib.colormaps["inferno"]
+        self.bars.append((o.body_label or o.body_field, bounds, colours))
+        return lookup_table(colours, bounds)
 
     def _bodies_only(self):
         join = vtk.vtkAppendPolyData()
@@ -348,7 +363,8 @@ def drawn(options, state, view=None, shift=0):
 
 
 def fields_of(options):
-    return options.field if options.warp is None else f"{options.field} D"
+    return " ".join(filter(None, (options.field, options.body_field,
+                                  None if options.warp is None else "D")))
 
 
 def main():
