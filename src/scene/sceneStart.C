@@ -136,8 +136,7 @@ void Foam::fsbi::scene::createEffects(const dictionary& saved)
 }
 
 
-decltype(Foam::fsbi::effectContext::occupied)
-Foam::fsbi::scene::sitesOccupied()
+Foam::fsbi::occupiedSitesOf Foam::fsbi::scene::sitesOccupied()
 {
     if (!carried_)
     {
