@@ -5,10 +5,9 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "carriedFields.H"
 #include "ofAllProcessors.H"
+#include "pointSearch.H"
 #include "surfaceFields.H"
 #include "pointFields.H"
-#include "indexedOctree.H"
-#include "treeDataPoint.H"
 
 namespace Foam
 {
@@ -88,19 +87,10 @@ static labelList nearestOf(const pointField& candidates, const pointField& x)
     {
         return nearest;
     }
-    treeBoundBox box(candidates);
-    box.inflate(0.01);
-    const indexedOctree<treeDataPoint> tree
-    (
-        treeDataPoint{candidates}, box, 8, 10, 3
-    );
-    const scalar reach = magSqr(box.span()) + VSMALL;
+    const pointSearch search(candidates);
     forAll(x, i)
     {
-        for (scalar r = reach; nearest[i] < 0; r *= 4)
-        {
-            nearest[i] = tree.findNearest(x[i], r).index();
-        }
+        nearest[i] = search.nearest(x[i]);
     }
     return nearest;
 }

@@ -62,12 +62,6 @@ Foam::label Foam::fsbi::adsorbed::patch(const soluteSurface& surface) const
 }
 
 
-Foam::label Foam::fsbi::adsorbed::first(const label patchi) const
-{
-    return mesh().boundaryMesh()[patchi].start() - mesh().nInternalFaces();
-}
-
-
 Foam::scalar Foam::fsbi::adsorbed::area(const label boundaryFace) const
 {
     return mag(mesh().faceAreas()[mesh().nInternalFaces() + boundaryFace]);
@@ -347,7 +341,10 @@ void Foam::fsbi::adsorbed::write
         if (patchi >= 0)
         {
             fvPatchScalarField& pf = bound.boundaryFieldRef()[patchi];
-            pf == SubField<scalar>(now_, pf.size(), first(patchi));
+            pf == SubField<scalar>
+            (
+                now_, pf.size(), surface->faces(mesh()).first()
+            );
         }
     }
     add(bound);
@@ -367,7 +364,10 @@ void Foam::fsbi::adsorbed::restore()
         if (patchi >= 0)
         {
             const fvPatchScalarField& pf = bound.boundaryField()[patchi];
-            SubField<scalar>(now_, pf.size(), first(patchi)) = pf;
+            SubField<scalar>
+            (
+                now_, pf.size(), surface->faces(mesh()).first()
+            ) = pf;
         }
     }
     next_ = now_;

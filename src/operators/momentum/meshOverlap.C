@@ -4,10 +4,9 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "meshOverlap.H"
-#include "indexedOctree.H"
-#include "treeDataPoint.H"
 #include "globalIndex.H"
 #include "ofAllProcessors.H"
+#include "pointSearch.H"
 
 namespace Foam
 {
@@ -343,13 +342,7 @@ void Foam::fsbi::meshOverlap::fillGaps
     tensorField& gradient
 ) const
 {
-    treeBoundBox box(centres_);
-    box.inflate(0.01);
-    const indexedOctree<treeDataPoint> tree
-    (
-        treeDataPoint{centres_}, box, 8, 10, 3
-    );
-    const scalar reach = magSqr(box.span()) + VSMALL;
+    const pointSearch centres(centres_);
     const scalarField& V = mesh.cellVolumes();
     forAll(V, celli)
     {
@@ -361,11 +354,7 @@ void Foam::fsbi::meshOverlap::fillGaps
             continue;
         }
         const point& x = mesh.cellCentres()[celli];
-        label from = -1;
-        for (scalar r = reach; from < 0; r *= 4)
-        {
-            from = tree.findNearest(x, r).index();
-        }
+        const label from = centres.nearest(x);
         u[celli] +=
             open*(u_[from] + ((x - centres_[from]) & gradients_[from]));
         gradient[celli] += open*gradients_[from];
