@@ -193,10 +193,11 @@ Foam::fsbi::outcome Foam::fsbi::couplingScheme::finish
 {
     fluid_.finish(rows, elastic_, loads);
     List<vectorField> cells;
-    const List<vectorField> others(effectForces(rows, cells));
+    List<vectorField> others(effectForces(rows, cells));
     outcome taken;
     for (label e = 0; taken && e < solids_.size(); ++e)
     {
+        elastic_[e]->addMoments(fluid_.traction(), cells[e], others[e]);
         taken = solids_[e].finish(fluidForce(e), others[e], cells[e]);
     }
     return taken;

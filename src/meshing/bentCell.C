@@ -4,7 +4,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "bentCell.H"
-#include "sizeField.H"
 
 #include <cmath>
 
@@ -37,7 +36,7 @@ static const scalar mostOfRoom = 0.7;
 // The surface taken out by its edges
 static pointField takenOut(const bodySurface& body, const vector& by)
 {
-    const scalarField edges(sizeField::pointSizes(body));
+    const scalarField edges(body.pointEdges());
     const pointField& x = body.points();
     vectorField normals(x.size(), Zero);
     for (const triFace& t : body.triangles())

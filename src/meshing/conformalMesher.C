@@ -63,7 +63,7 @@ static scalar unitOf
     int exponent = std::ilogb(unitOf(domain));
     for (const bodySurface& body : bodies)
     {
-        const scalar edge = min(sizeField::pointSizes(body));
+        const scalar edge = min(body.pointEdges());
         exponent = min(exponent, std::ilogb(edge) - digitsOfEdge);
     }
     return std::ldexp(1.0, exponent);
@@ -328,7 +328,7 @@ Foam::scalar Foam::fsbi::conformalMesher::reportCells
     forAll(bodies, b)
     {
         const bodySurface& body = bodies[b];
-        extents[b] = {body.bounds(), max(sizeField::pointSizes(body))};
+        extents[b] = {body.bounds(), max(body.pointEdges())};
         surfaces.set(b, new surfaceDistance(body.points(), body.triangles()));
     }
     const auto inFluid = [&](const point& p)
@@ -415,10 +415,10 @@ Foam::fsbi::conformalMesher::conformalMesher
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::conformalMesher::refined
+Foam::List<Foam::fsbi::surfaceInGaps> Foam::fsbi::conformalMesher::refined
 (
     const UList<bodySurface>& bodies,
-    const UList<toShape>& shapes,
+    const UList<shapeInGap>& shapes,
     const vector& shift
 ) const
 {

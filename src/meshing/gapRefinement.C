@@ -5,7 +5,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "gapRefinement.H"
 #include "redGreen.H"
-#include "sizeField.H"
 #include "surfaceDistance.H"
 #include "PtrList.H"
 
@@ -24,27 +23,73 @@ static const scalar longestInGap = 3;
 class bodyInGap
 {
     const bodySurface& base_;
-    const toShape& shape_;
+    const shapeInGap& shape_;
+    autoPtr<surfaceDistance> facets_;
     autoPtr<redGreen> fine_;
     bool refined_;
 
+    //- From a point near the surface to the one that its triangles stand for
+    point smoothed(const point& p) const
+    {
+        point nearest;
+        label triangle;
+        facets_->find(p, GREAT, nearest, triangle);
+        const triFace& t = base_.triangles()[triangle];
+        const barycentric2D shares
+        (
+            t.tri(base_.points()).pointToBarycentric(nearest)
+        );
+        const pointWeights w
+        (
+            shape_.smooth->at
+            (
+                {t, vector(shares.a(), shares.b(), shares.c())}, 0
+            )
+        );
+        point x(Zero);
+        forAll(w.points, i)
+        {
+            x += w.weights[i]*base_.points()[w.points[i]];
+        }
+        return x;
+    }
+
+    point onto(const point& p) const
+    {
+        return shape_.smooth ? smoothed(p) : shape_.onto(p);
+    }
+
 public:
 
-    bodyInGap(const bodySurface& base, const toShape& shape)
+    bodyInGap(const bodySurface& base, const shapeInGap& shape)
     :
         base_(base),
         shape_(shape),
         refined_(false)
     {
-        if (shape)
+        if (!shape.known())
         {
-            pointField points(base.points());
-            for (point& p : points)
-            {
-                p = shape(p);
-            }
-            fine_.reset(new redGreen(points, base.triangles(), shape));
+            return;
         }
+        if (shape.smooth)
+        {
+            facets_.reset(new surfaceDistance(base.points(), base.triangles()));
+        }
+        pointField points(base.points());
+        for (point& p : points)
+        {
+            p = onto(p);
+        }
+        fine_.reset
+        (
+            new redGreen
+            (
+                points, base.triangles(), [this](const point& p)
+                {
+                    return onto(p);
+                }
+            )
+        );
     }
 
     //- Of the shape
@@ -79,7 +124,7 @@ public:
             scalar atX, atY, between;
             return
                 gap(x, reach, atX) && gap(y, reach, atY)
-             && gap(shape_(0.5*(x + y)), reach, between)
+             && gap(onto(0.5*(x + y)), reach, between)
              && (
                     mag(between - 0.5*(atX + atY)) > gapSag*between
                  || mag(x - y) > longestInGap*between
@@ -101,25 +146,53 @@ public:
         return any;
     }
 
-    bodySurface surface() const
+    surfaceInGaps surface() const
     {
-        return refined_ ? withVolume() : base_;
+        if (!refined_)
+        {
+            return {base_, {}};
+        }
+        if (!shape_.smooth)
+        {
+            return {withVolume(), {}};
+        }
+        const cutTriangles cut(onFacets());
+        return {surfaceCut(cut, *shape_.smooth).surface(base_), cut};
     }
 
 private:
+
+    cutTriangles onFacets() const
+    {
+        cutTriangles cut;
+        cut.triangles = fine_->conforming(&cut.parents);
+        cut.places.setSize(fine_->points().size());
+        forAll(cut.places, p)
+        {
+            const edge& parents = fine_->parents()[p];
+            cut.places[p] =
+                p < base_.points().size()
+              ? facetPlace::at(p)
+              : facetPlace::between
+                (
+                    cut.places[parents[0]], cut.places[parents[1]]
+                );
+        }
+        return cut;
+    }
 
     //- Points out of the shape as far as is right for their edges
     bodySurface withVolume() const
     {
         pointField points(fine_->points());
         const List<triFace> triangles(fine_->conforming());
-        const scalarField edges(sizeField::pointSizes({points, triangles}));
+        const scalarField edges(bodySurface(points, triangles).pointEdges());
         vectorField out(base_.points());
         const label nBase = out.size();
         const pointField basePoints(SubList<point>(points, nBase));
         scalarField baseEdges
         (
-            sizeField::pointSizes({basePoints, base_.triangles()})
+            bodySurface(basePoints, base_.triangles()).pointEdges()
         );
         baseEdges.resize(points.size());
         out.resize(points.size());
@@ -172,10 +245,24 @@ Foam::scalar Foam::fsbi::narrowestGap(const scalar edge)
 }
 
 
-Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::refinedInGaps
+Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::surfacesOf
+(
+    const UList<surfaceInGaps>& bodies
+)
+{
+    List<bodySurface> surfaces(bodies.size());
+    forAll(surfaces, b)
+    {
+        surfaces[b] = bodies[b].surface;
+    }
+    return surfaces;
+}
+
+
+Foam::List<Foam::fsbi::surfaceInGaps> Foam::fsbi::refinedInGaps
 (
     const UList<bodySurface>& bodies,
-    const UList<toShape>& shapes,
+    const UList<shapeInGap>& shapes,
     const surfaceDistance& walls,
     const UList<vector>& images,
     const scalar gapSag
@@ -194,7 +281,7 @@ Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::refinedInGaps
         PtrList<surfaceDistance> distances(bodies.size());
         forAll(fine, b)
         {
-            if (shapes[b])
+            if (shapes[b].known())
             {
                 distances.set(b, fine[b].distance());
             }
@@ -221,7 +308,7 @@ Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::refinedInGaps
             again = fine[b].refine(gap, gapSag) || again;
         }
     }
-    List<bodySurface> surfaces(bodies.size());
+    List<surfaceInGaps> surfaces(bodies.size());
     forAll(fine, b)
     {
         surfaces[b] = fine[b].surface();

@@ -146,38 +146,13 @@ Foam::scalar Foam::fsbi::sizeField::besideBodies(const point& p) const
 }
 
 
-Foam::scalarField Foam::fsbi::sizeField::pointSizes(const bodySurface& surface)
-{
-    const pointField& points = surface.points();
-    scalarField sum(points.size(), Zero);
-    labelList n(points.size(), Zero);
-    for (const triFace& t : surface.triangles())
-    {
-        for (label i = 0; i < 3; ++i)
-        {
-            const label a = t[i], b = t[(i + 1) % 3];
-            const scalar length = mag(points[a] - points[b]);
-            sum[a] += length;
-            sum[b] += length;
-            ++n[a];
-            ++n[b];
-        }
-    }
-    forAll(sum, i)
-    {
-        sum[i] /= max(n[i], 1);
-    }
-    return sum;
-}
-
-
 Foam::scalarField Foam::fsbi::sizeField::triangleSizes
 (
     const bodySurface& surface
 )
 {
     const List<triFace>& triangles = surface.triangles();
-    const scalarField ofPoints(pointSizes(surface));
+    const scalarField ofPoints(surface.pointEdges());
     scalarField sizes(triangles.size());
     forAll(triangles, i)
     {

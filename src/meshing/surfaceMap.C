@@ -4,7 +4,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceMap.H"
-#include "sizeField.H"
 #include "polyMesh.H"
 #include "indexedOctree.H"
 #include "treeDataPoint.H"
@@ -47,7 +46,7 @@ void Foam::fsbi::surfaceMap::matchPoints
 )
 {
     const pointField& x = surface.points();
-    const scalarField size(sizeField::pointSizes(surface));
+    const scalarField size(surface.pointEdges());
     treeBoundBox box(x);
     box.inflate(0.1);
     const indexedOctree<treeDataPoint> tree(treeDataPoint(x), box, 10, 10, 3);

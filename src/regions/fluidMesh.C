@@ -98,7 +98,7 @@ Foam::fsbi::fluidMesh::fluidMesh
     if (hasRegionMesh(time_, name_))
     {
         readMesh(time_.constant());
-        surfaces_ = meshedSurfaces(present_);
+        surfaces_ = ownSurfaces(present_);
         confined_ = "the fluid's mesh is given";
     }
     else
@@ -215,13 +215,13 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::generate
     const List<vector> before(imagesTaken());
     chooseImages();
     meshLists whole;
-    List<bodySurface> surfaces(meshedSurfaces(present_));
+    List<surfaceInGaps> surfaces(ownSurfaces(present_));
     if (Pstream::master())
     {
-        surfaces = mesher_->refined(surfaces, shapes(), shift());
+        surfaces = refinedSurfaces();
         whole = mesher_->generate
         (
-            namesOf(present_), surfaces, shift(), finestEdge()
+            namesOf(present_), surfacesOf(surfaces), shift(), finestEdge()
         );
     }
     string reason(whole.failure);
@@ -234,12 +234,16 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::generate
     }
     if (Pstream::master())
     {
-        fresh_ = freshMesh(whole, mesher_->sizes(surfaces, shift(), finestEdge()));
+        fresh_ = freshMesh
+        (
+            whole, mesher_->sizes(surfacesOf(surfaces), shift(), finestEdge())
+        );
     }
     Pstream::scatter(fresh_);
-    for (bodySurface& surface : surfaces)
+    for (surfaceInGaps& body : surfaces)
     {
-        Pstream::scatter(surface);
+        Pstream::scatter(body.surface);
+        Pstream::scatter(body.cut);
     }
     replace(whole, std::move(surfaces), release);
     return outcome();
@@ -249,7 +253,7 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::generate
 void Foam::fsbi::fluidMesh::replace
 (
     const meshLists& whole,
-    List<bodySurface>&& surfaces,
+    List<surfaceInGaps>&& surfaces,
     const std::function<void()>& release
 )
 {
@@ -275,11 +279,8 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::heal
 {
     readDomain();
     meshLists whole(wholeLists(mesh()));
-    List<bodySurface> surfaces(present_.size());
-    forAll(surfaces, b)
-    {
-        surfaces[b] = motion_->surface(b);
-    }
+    List<surfaceInGaps> cut(motion_->surfaces());
+    const List<bodySurface> surfaces(surfacesOf(cut));
     if (Pstream::master() && whole.valid())
     {
         whole.failure =
@@ -299,26 +300,34 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::heal
     {
         return outcome::failed(reason);
     }
-    replace(whole, std::move(surfaces), release);
+    replace(whole, std::move(cut), release);
     return outcome();
 }
 
 
-Foam::List<Foam::fsbi::toShape> Foam::fsbi::fluidMesh::shapes() const
+Foam::List<Foam::fsbi::shapeInGap> Foam::fsbi::fluidMesh::shapes() const
 {
-    List<toShape> result(present_.size());
+    List<shapeInGap> result(present_.size());
     forAll(present_, b)
     {
         const immersedBody& body = present_[b];
+        result[b].smooth = cutsDeforming() ? body.smooth() : nullptr;
         if (body.hasShape())
         {
-            result[b] = [&body](const point& p)
+            result[b].onto = [&body](const point& p)
             {
                 return body.onMeshedShape(p);
             };
         }
     }
     return result;
+}
+
+
+Foam::List<Foam::fsbi::surfaceInGaps>
+Foam::fsbi::fluidMesh::refinedSurfaces() const
+{
+    return mesher_->refined(meshedSurfaces(present_), shapes(), shift());
 }
 
 

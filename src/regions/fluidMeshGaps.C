@@ -44,12 +44,12 @@ Foam::scalar Foam::fsbi::fluidMesh::finestEdge() const
 }
 
 
-bool Foam::fsbi::fluidMesh::refines() const
+bool Foam::fsbi::fluidMesh::refines(const bool deforming) const
 {
     bool any = remeshControls(remeshDict_).gapSag > 0;
     for (const immersedBody& body : present_)
     {
-        any = any && body.hasShape();
+        any = any && (body.hasShape() || (deforming && body.smooth()));
     }
     return any;
 }
@@ -99,6 +99,12 @@ Foam::string Foam::fsbi::fluidMesh::unresolved(const scalar gap) const
           ? ")"
           : "; it is at a patch that is not of type wall in"
             " system/blockMeshDict, where no triangle is cut)"
+        )
+      + (
+            refines() || !refines(true)
+          ? ""
+          : ". With 'gapSag 0.025' in system/remeshDict triangles of elastic"
+            " bodies are cut for it"
         );
 }
 
@@ -218,13 +224,28 @@ Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::fluidMesh::cutSurfaces() const
         {
             continue;
         }
-        if (motion_ && motion_->refined(present))
+        if (!bodies_[b].deforms() && motion_ && motion_->refined(present))
         {
             cut[b] = motion_->surface(present);
         }
         ++present;
     }
     return cut;
+}
+
+
+const Foam::fsbi::surfaceCut& Foam::fsbi::fluidMesh::cut
+(
+    const label bodyi
+) const
+{
+    static const surfaceCut none;
+    label present = 0;
+    for (label b = 0; b < bodyi; ++b)
+    {
+        present += bodyPatch(b) >= 0;
+    }
+    return bodyPatch(bodyi) < 0 ? none : motion_->cut(present);
 }
 
 
@@ -308,17 +329,12 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::holdsBodies()
                 tensor::I, shift() - referenceShift_
             )
         );
-        List<bodySurface> surfaces(present_.size());
-        forAll(surfaces, b)
-        {
-            surfaces[b] = motion_->surface(b);
-        }
+        List<bodySurface> surfaces(surfacesOf(motion_->surfaces()));
         reason = mesher_->inside(names, surfaces, walls, shift()).reason;
         if (reason.size() && refines())
         {
             // a new mesh has triangles that are cut for the gaps there now
-            surfaces =
-                mesher_->refined(meshedSurfaces(present_), shapes(), shift());
+            surfaces = surfacesOf(refinedSurfaces());
             reason = mesher_->inside(names, surfaces, walls, shift()).reason;
         }
     }

@@ -34,19 +34,39 @@ Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::meshedSurfaces
 }
 
 
+Foam::List<Foam::fsbi::surfaceInGaps> Foam::fsbi::ownSurfaces
+(
+    const UPtrList<immersedBody>& bodies
+)
+{
+    List<surfaceInGaps> surfaces(bodies.size());
+    forAll(bodies, b)
+    {
+        surfaces[b].surface = bodies[b].meshedSurface();
+    }
+    return surfaces;
+}
+
+
 Foam::fsbi::fluidMotion::fluidMotion
 (
     const polyMesh& mesh,
     const UPtrList<immersedBody>& bodies,
-    const UList<bodySurface>& surfaces,
+    const UList<surfaceInGaps>& surfaces,
     const UList<vector>& images
 )
 :
     mesh_(mesh),
     bodies_(bodies),
-    surfaces_(surfaces),
-    placements_(placementsNow())
+    surfaces_(bodies.size()),
+    placements_(placementsNow()),
+    cuts_(bodies.size())
 {
+    forAll(bodies_, b)
+    {
+        surfaces_[b] = surfaces[b].surface;
+        setCut(b, surfaces[b].cut);
+    }
     create(images);
 }
 
@@ -62,7 +82,8 @@ Foam::fsbi::fluidMotion::fluidMotion
     mesh_(mesh),
     bodies_(bodies),
     surfaces_(bodies.size()),
-    placements_(bodies.size())
+    placements_(bodies.size()),
+    cuts_(bodies.size())
 {
     const auto points = saved.get<List<pointField>>("referenceSurfaces");
     const auto centres = saved.get<List<vector>>("referenceCentres");
@@ -70,6 +91,8 @@ Foam::fsbi::fluidMotion::fluidMotion
         saved.get<List<quaternion>>("referenceOrientations");
     const auto triangles =
         saved.getOrDefault<List<List<triFace>>>("referenceTriangles", {});
+    const auto cuts =
+        saved.getOrDefault<List<cutTriangles>>("referenceCuts", {});
     forAll(bodies_, b)
     {
         surfaces_[b] = bodySurface
@@ -80,6 +103,10 @@ Foam::fsbi::fluidMotion::fluidMotion
           : bodies_[b].meshedSurface().triangles()
         );
         placements_[b] = {centres[b], orientations[b]};
+        if (cuts.size())
+        {
+            setCut(b, cuts[b]);
+        }
     }
     create(images);
 }
@@ -87,6 +114,18 @@ Foam::fsbi::fluidMotion::fluidMotion
 
 Foam::fsbi::fluidMotion::~fluidMotion()
 {}
+
+
+void Foam::fsbi::fluidMotion::setCut
+(
+    const label bodyi, const cutTriangles& cut
+)
+{
+    if (!cut.empty())
+    {
+        cuts_[bodyi] = surfaceCut(cut, *bodies_[bodyi].smooth());
+    }
+}
 
 
 void Foam::fsbi::fluidMotion::create(const UList<vector>& images)
@@ -139,7 +178,7 @@ Foam::pointField Foam::fsbi::fluidMotion::points(const vector& frameShift) const
     {
         if (bodies_[b].deforms())
         {
-            const bodySurface now(bodies_[b].meshedSurface());
+            const bodySurface now(surface(b));
             forAll(meshPoints_[b], i)
             {
                 const label p = meshPoints_[b][i];
@@ -172,10 +211,25 @@ Foam::fsbi::bodySurface Foam::fsbi::fluidMotion::surface
     {
         return bodies_[bodyi].meshedSurface();
     }
+    if (bodies_[bodyi].deforms())
+    {
+        return cuts_[bodyi].surface(bodies_[bodyi].meshedSurface());
+    }
     const placement& then = placements_[bodyi];
     const placement now(bodies_[bodyi].meshedPlacement());
     const tensor R(now.orientation.R() & then.orientation.R().T());
     return surfaces_[bodyi].transformed(R, now.centre - (R & then.centre));
+}
+
+
+Foam::List<Foam::fsbi::surfaceInGaps> Foam::fsbi::fluidMotion::surfaces() const
+{
+    List<surfaceInGaps> result(bodies_.size());
+    forAll(result, b)
+    {
+        result[b] = {surface(b), cuts_[b].triangles()};
+    }
+    return result;
 }
 
 
@@ -191,18 +245,21 @@ void Foam::fsbi::fluidMotion::save(dictionary& state) const
     List<vector> centres(bodies_.size());
     List<quaternion> orientations(bodies_.size());
     List<List<triFace>> triangles(bodies_.size());
+    List<cutTriangles> cuts(bodies_.size());
     forAll(bodies_, b)
     {
         points[b] = surfaces_[b].points();
         if (refined(b))
         {
             triangles[b] = surfaces_[b].triangles();
+            cuts[b] = cuts_[b].triangles();
         }
         centres[b] = placements_[b].centre;
         orientations[b] = placements_[b].orientation;
     }
     state.set("referenceSurfaces", points);
     state.set("referenceTriangles", triangles);
+    state.set("referenceCuts", cuts);
     state.set("referenceCentres", centres);
     state.set("referenceOrientations", orientations);
 }

@@ -22,7 +22,7 @@ Foam::fsbi::surfaceSide Foam::fsbi::fluidRegion::sideOf(const label b) const
         wettedSurface::sideOf
         (
             mesh(), mesh().boundaryMesh()[mesh_.bodyPatch(b)],
-            mesh_.bodies()[b].meshedSurface()
+            mesh_.cut(b).surface(mesh_.bodies()[b].meshedSurface())
         )
     );
     // points as positions in the list of wall vertices
@@ -51,6 +51,7 @@ void Foam::fsbi::fluidRegion::linkSurfaces
         if (elastic[e]->generation != mesh_.generation())
         {
             elastic[e]->fluid = sideOf(rigidBodies_.size() + e);
+            elastic[e]->cut = mesh_.cut(rigidBodies_.size() + e);
             elastic[e]->fluidPatch = mesh_.bodyPatch(rigidBodies_.size() + e);
             elastic[e]->generation = mesh_.generation();
         }

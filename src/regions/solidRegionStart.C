@@ -124,7 +124,7 @@ void Foam::fsbi::solidRegion::create(const bool saved)
         (
             new wettedSurface
             (
-                mesh(), held, body_, material_->density(), order_ == 4
+                mesh(), held, body_, material_->density(), order_ == 4, mayBeCut_
             )
         );
         wetted_->setSurface(rows_);
@@ -261,6 +261,13 @@ void Foam::fsbi::solidRegion::readOrder()
             << " give 'order 4' in 'coupling' of system/fluid/fvSolution, too,"
             << " or no 'order' in either" << exit(FatalError);
     }
+    // by turns forces come to the body's triangles only, not to places on them
+    mayBeCut_ =
+        inFluid_ && order_ == 2 && fluid == 2
+     && entries(caseInput::fluid, "coupling").getOrDefault<word>
+        (
+            "scheme", "monolithic"
+        ) == "monolithic";
 }
 
 

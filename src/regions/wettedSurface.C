@@ -158,11 +158,12 @@ Foam::fsbi::surfaceSide Foam::fsbi::wettedSurface::sideOf
 Foam::fsbi::wettedSurface::wettedSurface
 (
     const fvMesh& mesh, const boolList& held, const elasticBody& body,
-    const scalar density, const bool curved
+    const scalar density, const bool curved, const bool mayBeCut
 )
 :
     name_(mesh.name()),
     curved_(curved),
+    mayBeCut_(mayBeCut),
     density_(density),
     reference_(surfaceOf(mesh)),
     fit_(reference_),
@@ -259,6 +260,16 @@ Foam::vectorField Foam::fsbi::wettedSurface::pointVelocity() const
         motion_.knownVelocity().size()
       ? part(vectorField(motion_.velocity(displacement_)), true)
       : vectorField(solid_.nPoints, Zero);
+}
+
+
+const Foam::fsbi::smoothedFacets* Foam::fsbi::wettedSurface::smooth() const
+{
+    if (mayBeCut_ && !smooth_)
+    {
+        smooth_.reset(new smoothedFacets(reference_));
+    }
+    return smooth_.get();
 }
 
 

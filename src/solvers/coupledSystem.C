@@ -152,7 +152,8 @@ void Foam::fsbi::coupledSystem::addSurfaceForces
     forAll(elastic_, e)
     {
         const elasticRows& body = *elastic_[e];
-        vectorField force(body.surfaceForce(traction_));
+        vectorField force(body.surfaceForce(traction_)), cells;
+        body.addMoments(traction_, cells, force);
         const label bodyi = bodies_->size() + e;
         if (effects_)
         {
@@ -160,13 +161,13 @@ void Foam::fsbi::coupledSystem::addSurfaceForces
         }
         if (effects_ && load.points[bodyi].size())
         {
-            vectorField cells(body.volumes.size(), Zero);
+            cells.resize(body.volumes.size(), Zero);
             body.addPointForces(load.points[bodyi], cells, force);
-            vector* row = layout_.displacement(e, r);
-            forAll(cells, i)
-            {
-                row[i] -= cells[i];
-            }
+        }
+        vector* row = layout_.displacement(e, r);
+        forAll(cells, i)
+        {
+            row[i] -= cells[i];
         }
         body.elastic->boundary().addLoad(force, r + layout_.elastic(e));
     }
@@ -404,8 +405,8 @@ void Foam::fsbi::coupledSystem::applyJacobian
         points[e] = dd.points;
         if (shapes_.size())
         {
-            shapes_[e].addVelocity(dd, values_);
-            moved[e] = dd;
+            moved[e] = body.parts(dd);
+            shapes_[e].addVelocity(moved[e], values_);
         }
     }
     momentum_.applyJacobian(dx, values_, dr, traction_);

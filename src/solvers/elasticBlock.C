@@ -49,7 +49,8 @@ Foam::label Foam::fsbi::elasticBlock::solidCell(const label i) const
 void Foam::fsbi::elasticBlock::setSurface(const globalIndex& rows)
 {
     // columns and coefficients by number; doubles hold columns exactly
-    vectorField fluid(body_.solid.nFaces, Zero), solid(fluid);
+    vectorField fluid(body_.fluid.nFaces, Zero);
+    vectorField solid(body_.solid.nFaces, Zero);
     forAll(body_.fluid.faces, i)
     {
         const label b = body_.fluid.faces[i];
@@ -69,19 +70,25 @@ void Foam::fsbi::elasticBlock::setSurface(const globalIndex& rows)
     }
     surfaceSide::sum(fluid);
     surfaceSide::sum(solid);
+    const label n = fluid.size();
     fluidK_ = fluid.component(vector::X);
-    solidK_ = solid.component(vector::X);
-    springK_ = scalarField(fluid.size(), Zero);
-    if (body_.springs.size())
-    {
-        springK_ = body_.springs/body_.velocityCoeff;
-    }
-    fluidColumn_.setSize(fluid.size());
-    solidColumn_.setSize(solid.size());
+    solidK_.setSize(n);
+    springK_ = scalarField(n, Zero);
+    fluidColumn_.setSize(n);
+    solidColumn_.setSize(n);
+    parts_ = labelListList(solid.size());
     forAll(fluid, i)
     {
+        const label t = body_.cut.parent(i);
+        const scalar share = body_.cut.share(i);
+        parts_[t].append(i);
+        solidK_[i] = share*solid[t].x();
+        if (body_.springs.size())
+        {
+            springK_[i] = share*body_.springs[t]/body_.velocityCoeff;
+        }
         fluidColumn_[i] = label(fluid[i].y() + 0.5);
-        solidColumn_[i] = label(solid[i].y() + 0.5);
+        solidColumn_[i] = label(solid[t].y() + 0.5);
     }
 }
 
@@ -153,13 +160,15 @@ void Foam::fsbi::elasticBlock::addLinks
     }
     forAll(body_.solid.faces, i)
     {
-        const label number = body_.solid.faceNumbers[i];
-        if (solidK_[number] > 0)
+        const label row =
+            rows.toGlobal(firstRow_ + solidCell(body_.solid.faces[i]));
+        for (const label number : parts_[body_.solid.faceNumbers[i]])
         {
-            const label row =
-                rows.toGlobal(firstRow_ + solidCell(body_.solid.faces[i]));
-            entries.link(row, fluidColumn_[number], series(number));
-            hold(row, solidK_[number], number);
+            if (solidK_[number] > 0)
+            {
+                entries.link(row, fluidColumn_[number], series(number));
+                hold(row, solidK_[number], number);
+            }
         }
     }
 }
@@ -240,12 +249,16 @@ void Foam::fsbi::elasticBlock::share
 ) const
 {
     const fvMesh& mesh = stokes_.stencil().mesh();
-    const label n = body_.solid.nFaces;
+    const label n = body_.fluid.nFaces;
     vectorField sums(2*n, Zero);
     forAll(body_.solid.faces, i)
     {
-        sums[body_.solid.faceNumbers[i]] =
-            force[stencil_.ghostOf()[body_.solid.faces[i]]];
+        for (const label number : parts_[body_.solid.faceNumbers[i]])
+        {
+            sums[number] =
+                body_.cut.share(number)
+               *force[stencil_.ghostOf()[body_.solid.faces[i]]];
+        }
     }
     forAll(body_.fluid.faces, i)
     {
@@ -272,11 +285,13 @@ void Foam::fsbi::elasticBlock::share
     }
     forAll(body_.solid.faces, i)
     {
-        const label number = body_.solid.faceNumbers[i];
-        if (solidK_[number] > 0)
+        for (const label number : parts_[body_.solid.faceNumbers[i]])
         {
-            rhs[firstRow_ + solidCell(body_.solid.faces[i])] +=
-                solidK_[number]/sumK(number)*push_[number] - sums[number];
+            if (solidK_[number] > 0)
+            {
+                rhs[firstRow_ + solidCell(body_.solid.faces[i])] +=
+                    solidK_[number]/sumK(number)*push_[number] - sums[number];
+            }
         }
     }
 }
@@ -309,16 +324,22 @@ void Foam::fsbi::elasticBlock::end
     forAll(body_.solid.faces, i)
     {
         const label b = body_.solid.faces[i];
-        const label number = body_.solid.faceNumbers[i];
-        const scalar K = solidK_[number];
-        if (K > 0)
+        const vector& vs = velocity[firstRow_ + solidCell(b)];
+        vector vb(Zero);
+        bool moves = false;
+        for (const label number : parts_[body_.solid.faceNumbers[i]])
         {
-            const vector& vs = velocity[firstRow_ + solidCell(b)];
-            const vector vb
-            (
-                (K*vs + pulled[number] + push_[number])
-               /sumK(number)
-            );
+            const scalar K = solidK_[number];
+            if (K > 0)
+            {
+                moves = true;
+                vb +=
+                    body_.cut.share(number)/sumK(number)
+                   *(K*vs + pulled[number] + push_[number]);
+            }
+        }
+        if (moves)
+        {
             u[nCells + stencil_.ghostOf()[b]] = (2*vb - vs)/body_.velocityCoeff;
         }
     }

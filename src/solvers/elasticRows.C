@@ -132,14 +132,16 @@ void Foam::fsbi::elasticRows::setVelocity
     boundaryValues& values
 ) const
 {
-    fluid.spreadFaces
+    const surfaceDisplacement v
     (
-        vectorField(velocityCoeff*d.faces + knownFaces), values.faces
+        parts
+        ({
+            velocityCoeff*d.faces + knownFaces,
+            velocityCoeff*d.points + knownPoints
+        })
     );
-    fluid.spreadPoints
-    (
-        vectorField(velocityCoeff*d.points + knownPoints), values.vertices
-    );
+    fluid.spreadFaces(v.faces, values.faces);
+    fluid.spreadPoints(v.points, values.vertices);
     stokes.setOnEdges(fluidPatch, values.vertices);
 }
 
@@ -176,8 +178,9 @@ void Foam::fsbi::elasticRows::setVelocityIncrement
     boundaryValues& values
 ) const
 {
-    fluid.spreadFaces(vectorField(velocityCoeff*dd.faces), values.faces);
-    fluid.spreadPoints(vectorField(velocityCoeff*dd.points), values.vertices);
+    const surfaceDisplacement v(parts(dd));
+    fluid.spreadFaces(vectorField(velocityCoeff*v.faces), values.faces);
+    fluid.spreadPoints(vectorField(velocityCoeff*v.points), values.vertices);
     stokes.setOnEdges(fluidPatch, values.vertices);
 }
 
@@ -188,6 +191,25 @@ Foam::vectorField Foam::fsbi::elasticRows::surfaceForce
 ) const
 {
     vectorField onFaces(elastic->boundary().kinds().size(), Zero);
-    solid.spreadFaces(-fluid.collectFaces(traction), onFaces);
+    solid.spreadFaces
+    (
+        cut.onTriangles(-fluid.collectFaces(traction)), onFaces
+    );
     return onFaces;
+}
+
+
+void Foam::fsbi::elasticRows::addMoments
+(
+    const vectorField& traction, vectorField& cells, vectorField& faces
+) const
+{
+    if (!cut.empty())
+    {
+        cells.resize(volumes.size(), Zero);
+        addPointForces
+        (
+            cut.onPoints(-fluid.collectFaces(traction)), cells, faces
+        );
+    }
 }

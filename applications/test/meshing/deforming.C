@@ -227,7 +227,7 @@ void checkDeforming(checks& c)
         whole = s.box.generate();
         ranks = meshDistribution::bisect(whole, UPstream::nProcs());
         alone = s.box.fluid(whole, "alone");
-        const fluidMotion motion(alone(), s.bodies, meshedSurfaces(s.bodies), {});
+        const fluidMotion motion(alone(), s.bodies, ownSurfaces(s.bodies), {});
         s.pull(1);
         pulled = motion.points(Zero);
         s.pull(0);
@@ -241,7 +241,7 @@ void checkDeforming(checks& c)
     clockTime time;
     const fluidMotion motion
     (
-        mesh(), s.bodies, meshedSurfaces(s.bodies), {}
+        mesh(), s.bodies, ownSurfaces(s.bodies), {}
     );
     Info<< "    set up in " << time.elapsedTime() << " s" << endl;
     checkMoved(c, s, mesh(), motion);

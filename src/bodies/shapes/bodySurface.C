@@ -175,6 +175,30 @@ Foam::scalar Foam::fsbi::bodySurface::meanEdge() const
 }
 
 
+Foam::scalarField Foam::fsbi::bodySurface::pointEdges() const
+{
+    scalarField sum(points_.size(), Zero);
+    labelList n(points_.size(), Zero);
+    for (const triFace& t : triangles_)
+    {
+        for (label i = 0; i < 3; ++i)
+        {
+            const label a = t[i], b = t[(i + 1) % 3];
+            const scalar length = mag(points_[a] - points_[b]);
+            sum[a] += length;
+            sum[b] += length;
+            ++n[a];
+            ++n[b];
+        }
+    }
+    forAll(sum, i)
+    {
+        sum[i] /= max(n[i], 1);
+    }
+    return sum;
+}
+
+
 Foam::scalar Foam::fsbi::bodySurface::winding(const point& p) const
 {
     // Van Oosterom & Strackee 1983
