@@ -334,8 +334,8 @@ void Foam::fsbi::elasticBlock::end
             {
                 moves = true;
                 vb +=
-                    body_.cut.share(number)/sumK(number)
-                   *(K*vs + pulled[number] + push_[number]);
+                    body_.cut.share(number)
+                   *(K*vs + pulled[number] + push_[number])/sumK(number);
             }
         }
         if (moves)
