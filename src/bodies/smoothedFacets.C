@@ -43,19 +43,6 @@ static labelListList neighboursOf(const bodySurface& surface)
     return lists;
 }
 
-static vectorField normalsOf(const bodySurface& surface)
-{
-    vectorField normals(surface.points().size(), Zero);
-    for (const triFace& t : surface.triangles())
-    {
-        for (const label p : t)
-        {
-            normals[p] += t.areaNormal(surface.points());
-        }
-    }
-    return normals/mag(normals);
-}
-
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -132,10 +119,10 @@ Foam::fsbi::smoothedFacets::smoothedFacets(const bodySurface& reference)
     quadratics_(reference.points().size())
 {
     const labelListList neighbours(neighboursOf(reference_));
-    const vectorField normals(normalsOf(reference_));
+    const vectorField areas(reference_.pointAreas());
     forAll(quadratics_, k)
     {
-        const vector& n = normals[k];
+        const vector n(normalised(areas[k]));
         quadratic& q = quadratics_[k];
         q.e1 = n ^ (mag(n.x()) < 0.6 ? vector(1, 0, 0) : vector(0, 1, 0));
         q.e1 /= mag(q.e1);

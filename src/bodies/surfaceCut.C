@@ -115,14 +115,10 @@ Foam::vectorField Foam::fsbi::surfaceCut::points(const vectorField& body) const
     {
         return body;
     }
-    vectorField result(weights_.size(), Zero);
+    vectorField result(weights_.size());
     forAll(result, p)
     {
-        const pointWeights& w = weights_[p];
-        forAll(w.points, i)
-        {
-            result[p] += w.weights[i]*body[w.points[i]];
-        }
+        result[p] = weights_[p].of(body);
     }
     return result;
 }

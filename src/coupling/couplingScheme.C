@@ -130,7 +130,10 @@ Foam::vectorField Foam::fsbi::couplingScheme::fluidForce
 ) const
 {
     const elasticRows& body = *elastic_[solidi];
-    const vectorField onBody(body.surfaceForce(fluid_.traction()));
+    const vectorField onBody
+    (
+        body.surfaceForce(body.fluidForces(fluid_.traction()))
+    );
     vector onFluid(Zero);
     scalar size = 0;
     for (const label i : body.fluid.faces)
@@ -197,7 +200,10 @@ Foam::fsbi::outcome Foam::fsbi::couplingScheme::finish
     outcome taken;
     for (label e = 0; taken && e < solids_.size(); ++e)
     {
-        elastic_[e]->addMoments(fluid_.traction(), cells[e], others[e]);
+        elastic_[e]->addMoments
+        (
+            elastic_[e]->fluidForces(fluid_.traction()), cells[e], others[e]
+        );
         taken = solids_[e].finish(fluidForce(e), others[e], cells[e]);
     }
     return taken;

@@ -187,7 +187,8 @@ Foam::fsbi::boundarySpring Foam::fsbi::partitioned::spring
         vectorField(body.split(given).faces - body.movedFaces), d
     );
     s.load =
-        body.surfaceForce(fluid_.traction()) + effects_[solidi]
+        body.surfaceForce(body.fluidForces(fluid_.traction()))
+      + effects_[solidi]
       + (s.stiffness & d);
     return s;
 }

@@ -38,15 +38,7 @@ static pointField takenOut(const bodySurface& body, const vector& by)
 {
     const scalarField edges(body.pointEdges());
     const pointField& x = body.points();
-    vectorField normals(x.size(), Zero);
-    for (const triFace& t : body.triangles())
-    {
-        const vector S((x[t[1]] - x[t[0]]) ^ (x[t[2]] - x[t[0]]));
-        for (const label p : t)
-        {
-            normals[p] += S;
-        }
-    }
+    const vectorField normals(body.pointAreas());
     pointField out(x.size());
     forAll(out, p)
     {

@@ -39,19 +39,10 @@ class bodyInGap
         (
             t.tri(base_.points()).pointToBarycentric(nearest)
         );
-        const pointWeights w
+        return shape_.smooth->at
         (
-            shape_.smooth->at
-            (
-                {t, vector(shares.a(), shares.b(), shares.c())}, 0
-            )
-        );
-        point x(Zero);
-        forAll(w.points, i)
-        {
-            x += w.weights[i]*base_.points()[w.points[i]];
-        }
-        return x;
+            {t, vector(shares.a(), shares.b(), shares.c())}, 0
+        ).of(base_.points());
     }
 
     point onto(const point& p) const

@@ -305,32 +305,6 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::heal
 }
 
 
-Foam::List<Foam::fsbi::shapeInGap> Foam::fsbi::fluidMesh::shapes() const
-{
-    List<shapeInGap> result(present_.size());
-    forAll(present_, b)
-    {
-        const immersedBody& body = present_[b];
-        result[b].smooth = cutsDeforming() ? body.smooth() : nullptr;
-        if (body.hasShape())
-        {
-            result[b].onto = [&body](const point& p)
-            {
-                return body.onMeshedShape(p);
-            };
-        }
-    }
-    return result;
-}
-
-
-Foam::List<Foam::fsbi::surfaceInGaps>
-Foam::fsbi::fluidMesh::refinedSurfaces() const
-{
-    return mesher_->refined(meshedSurfaces(present_), shapes(), shift());
-}
-
-
 void Foam::fsbi::fluidMesh::setReference()
 {
     referencePoints_ = mesh().points();

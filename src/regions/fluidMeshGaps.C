@@ -55,6 +55,32 @@ bool Foam::fsbi::fluidMesh::refines(const bool deforming) const
 }
 
 
+Foam::List<Foam::fsbi::shapeInGap> Foam::fsbi::fluidMesh::shapes() const
+{
+    List<shapeInGap> result(present_.size());
+    forAll(present_, b)
+    {
+        const immersedBody& body = present_[b];
+        result[b].smooth = cutsDeforming() ? body.smooth() : nullptr;
+        if (body.hasShape())
+        {
+            result[b].onto = [&body](const point& p)
+            {
+                return body.onMeshedShape(p);
+            };
+        }
+    }
+    return result;
+}
+
+
+Foam::List<Foam::fsbi::surfaceInGaps>
+Foam::fsbi::fluidMesh::refinedSurfaces() const
+{
+    return mesher_->refined(meshedSurfaces(present_), shapes(), shift());
+}
+
+
 Foam::scalar Foam::fsbi::fluidMesh::resolvedGap(const bool cut) const
 {
     if (cut)

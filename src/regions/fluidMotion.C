@@ -121,10 +121,19 @@ void Foam::fsbi::fluidMotion::setCut
     const label bodyi, const cutTriangles& cut
 )
 {
-    if (!cut.empty())
+    if (cut.empty())
     {
-        cuts_[bodyi] = surfaceCut(cut, *bodies_[bodyi].smooth());
+        return;
     }
+    if (!bodies_[bodyi].smooth())
+    {
+        FatalErrorInFunction
+            << "In the saved state the fluid's mesh cuts triangles of body '"
+            << bodies_[bodyi].name() << "' in gaps. To go on from it takes order"
+            << " 2 and the scheme monolithic in 'coupling' of"
+            << " system/fluid/fvSolution, as before" << exit(FatalError);
+    }
+    cuts_[bodyi] = surfaceCut(cut, *bodies_[bodyi].smooth());
 }
 
 

@@ -152,8 +152,9 @@ void Foam::fsbi::coupledSystem::addSurfaceForces
     forAll(elastic_, e)
     {
         const elasticRows& body = *elastic_[e];
-        vectorField force(body.surfaceForce(traction_)), cells;
-        body.addMoments(traction_, cells, force);
+        const vectorField onParts(body.fluidForces(traction_));
+        vectorField force(body.surfaceForce(onParts)), cells;
+        body.addMoments(onParts, cells, force);
         const label bodyi = bodies_->size() + e;
         if (effects_)
         {
@@ -395,17 +396,17 @@ void Foam::fsbi::coupledSystem::applyJacobian
         momentum_.viscous(), *bodies_, change.velocities, values_
     );
     List<vectorField> points(elastic_.size());
-    List<surfaceDisplacement> moved(shapes_.size());
+    List<surfaceDisplacement> moved(elastic_.size());
     forAll(elastic_, e)
     {
         const elasticRows& body = *elastic_[e];
         body.applyJacobian(dx + layout_.elastic(e), dr + layout_.elastic(e));
         const surfaceDisplacement dd(body.surfaceIncrement());
-        body.setVelocityIncrement(momentum_.viscous(), dd, values_);
+        moved[e] = body.parts(dd);
+        body.setVelocityIncrement(momentum_.viscous(), moved[e], values_);
         points[e] = dd.points;
         if (shapes_.size())
         {
-            moved[e] = body.parts(dd);
             shapes_[e].addVelocity(moved[e], values_);
         }
     }

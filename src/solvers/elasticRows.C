@@ -174,42 +174,41 @@ void Foam::fsbi::elasticRows::setFacePoints
 void Foam::fsbi::elasticRows::setVelocityIncrement
 (
     const stokesOperator& stokes,
-    const surfaceDisplacement& dd,
+    const surfaceDisplacement& ddOfParts,
     boundaryValues& values
 ) const
 {
-    const surfaceDisplacement v(parts(dd));
-    fluid.spreadFaces(vectorField(velocityCoeff*v.faces), values.faces);
-    fluid.spreadPoints(vectorField(velocityCoeff*v.points), values.vertices);
+    fluid.spreadFaces
+    (
+        vectorField(velocityCoeff*ddOfParts.faces), values.faces
+    );
+    fluid.spreadPoints
+    (
+        vectorField(velocityCoeff*ddOfParts.points), values.vertices
+    );
     stokes.setOnEdges(fluidPatch, values.vertices);
 }
 
 
 Foam::vectorField Foam::fsbi::elasticRows::surfaceForce
 (
-    const vectorField& traction
+    const vectorField& fluidForces
 ) const
 {
     vectorField onFaces(elastic->boundary().kinds().size(), Zero);
-    solid.spreadFaces
-    (
-        cut.onTriangles(-fluid.collectFaces(traction)), onFaces
-    );
+    solid.spreadFaces(cut.onTriangles(fluidForces), onFaces);
     return onFaces;
 }
 
 
 void Foam::fsbi::elasticRows::addMoments
 (
-    const vectorField& traction, vectorField& cells, vectorField& faces
+    const vectorField& fluidForces, vectorField& cells, vectorField& faces
 ) const
 {
     if (!cut.empty())
     {
         cells.resize(volumes.size(), Zero);
-        addPointForces
-        (
-            cut.onPoints(-fluid.collectFaces(traction)), cells, faces
-        );
+        addPointForces(cut.onPoints(fluidForces), cells, faces);
     }
 }

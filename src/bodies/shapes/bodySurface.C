@@ -199,6 +199,21 @@ Foam::scalarField Foam::fsbi::bodySurface::pointEdges() const
 }
 
 
+Foam::vectorField Foam::fsbi::bodySurface::pointAreas() const
+{
+    vectorField sum(points_.size(), Zero);
+    for (const triFace& t : triangles_)
+    {
+        const vector S(t.areaNormal(points_));
+        for (const label p : t)
+        {
+            sum[p] += S;
+        }
+    }
+    return sum;
+}
+
+
 Foam::scalar Foam::fsbi::bodySurface::winding(const point& p) const
 {
     // Van Oosterom & Strackee 1983
