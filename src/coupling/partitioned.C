@@ -184,7 +184,12 @@ Foam::fsbi::boundarySpring Foam::fsbi::partitioned::spring
     vectorField d(area.size(), Zero);
     body.solid.spreadFaces
     (
-        vectorField(body.split(given).faces - body.movedFaces), d
+        vectorField
+        (
+            surfaceDisplacement::split(given, body.solid).faces
+          - body.movedFaces
+        ),
+        d
     );
     s.load =
         body.surfaceForce(body.fluidForces(fluid_.traction()))

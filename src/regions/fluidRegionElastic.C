@@ -73,9 +73,12 @@ Foam::fsbi::solverReport Foam::fsbi::fluidRegion::solve
     linkSurfaces(elastic);
     forAll(elastic, e)
     {
-        elastic[e]->setVelocity
+        const elasticRows& body = *elastic[e];
+        body.setVelocity
         (
-            stokes(), elastic[e]->split(displacements[e]), given_
+            stokes(),
+            surfaceDisplacement::split(displacements[e], body.solid),
+            given_
         );
     }
     return solver_->solve(wanted, x_, traction_);

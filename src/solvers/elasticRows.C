@@ -6,6 +6,19 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "elasticRows.H"
 #include "massRows.H"
 
+Foam::fsbi::surfaceDisplacement Foam::fsbi::surfaceDisplacement::split
+(
+    const vectorField& both, const surfaceSide& side
+)
+{
+    return
+    {
+        vectorField(SubField<vector>(both, side.nFaces, side.nPoints)),
+        vectorField(SubField<vector>(both, side.nPoints))
+    };
+}
+
+
 void Foam::fsbi::elasticRows::spread(const sixVector& load)
 {
     acting.clear();
@@ -109,19 +122,6 @@ Foam::fsbi::elasticRows::surfaceIncrement() const
         }
     }
     return d;
-}
-
-
-Foam::fsbi::surfaceDisplacement Foam::fsbi::elasticRows::split
-(
-    const vectorField& both
-) const
-{
-    return
-    {
-        vectorField(SubField<vector>(both, solid.nFaces, solid.nPoints)),
-        vectorField(SubField<vector>(both, solid.nPoints))
-    };
 }
 
 
