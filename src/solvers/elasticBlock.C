@@ -185,6 +185,18 @@ void Foam::fsbi::elasticBlock::addEntries
 }
 
 
+Foam::scalar Foam::fsbi::elasticBlock::room() const
+{
+    const solidMaterial& law = elastic_.state().material();
+    if (law.flows() || max(solidK_) <= 0)
+    {
+        return 0;
+    }
+    const scalar bulk = law.lambda() + 2*elastic_.state().shearModulus()/3;
+    return body_.velocityCoeff*gSum(body_.volumes)/bulk;
+}
+
+
 void Foam::fsbi::elasticBlock::addPressures
 (
     const scalar* r, scalar* z, vectorField& rhs, vectorField& force

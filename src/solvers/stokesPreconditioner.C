@@ -150,6 +150,15 @@ void Foam::fsbi::stokesPreconditioner::setMatrix()
 void Foam::fsbi::stokesPreconditioner::rebuild()
 {
     setMatrix();
+    volume_ = gSum(mesh_.cellVolumes());
+    room_ = 0;
+    if (stokes_.closed())
+    {
+        for (const elasticBlock& body : elastic_)
+        {
+            room_ += body.room();
+        }
+    }
     const scalarField carried(momentum_.massFlux());
     createCycle(matrix_, cycle_, carried.empty());
     dragged_.clear();
@@ -161,6 +170,35 @@ void Foam::fsbi::stokesPreconditioner::rebuild()
     if (gMax(drag) > 0 || carried.size())
     {
         dragged_.reset(new draggedPressure(stokes_, drag, carried));
+    }
+}
+
+
+void Foam::fsbi::stokesPreconditioner::setPressure(const scalar* r) const
+{
+    const scalarField& V = mesh_.cellVolumes();
+    const label n = mesh_.nCells();
+    scalar surplus = 0;
+    for (label i = 0; room_ > 0 && i < n; ++i)
+    {
+        surplus += r[4*i + 3];
+    }
+    if (room_ > 0)
+    {
+        reduce(surplus, sumOp<scalar>());
+    }
+    for (label i = 0; i < n; ++i)
+    {
+        pressure_[i] =
+            stokes_.viscosity(i)*(r[4*i + 3]/V[i] - surplus/volume_);
+    }
+    if (dragged_)
+    {
+        dragged_->apply(pressure_);
+    }
+    for (label i = 0; room_ > 0 && i < n; ++i)
+    {
+        pressure_[i] += surplus/room_;
     }
 }
 
@@ -209,16 +247,8 @@ void Foam::fsbi::stokesPreconditioner::apply
 ) const
 {
     const label n = mesh_.nCells();
-    const scalarField& V = mesh_.cellVolumes();
 
-    for (label i = 0; i < n; ++i)
-    {
-        pressure_[i] = stokes_.viscosity(i)/V[i]*r[4*i + 3];
-    }
-    if (dragged_)
-    {
-        dragged_->apply(pressure_);
-    }
+    setPressure(r);
     stokes_.stencil().halo().fill(pressure_.data(), 1);
 
     vectorField& force = velocity_;
