@@ -46,16 +46,33 @@ Foam::label Foam::fsbi::elasticBlock::solidCell(const label i) const
 }
 
 
+void Foam::fsbi::elasticBlock::setWhole()
+{
+    volume_ = gSum(body_.volumes);
+    centre_ = gSum(body_.volumes*body_.centres)/volume_;
+    bool held = false;
+    for (const auto kind : elastic_.boundary().kinds())
+    {
+        held |= kind != solidBoundary::traction;
+    }
+    free_ = !returnReduce(held, orOp<bool>());
+}
+
+
 void Foam::fsbi::elasticBlock::setSurface(const globalIndex& rows)
 {
     // columns and coefficients by number; doubles hold columns exactly
     vectorField fluid(body_.fluid.nFaces, Zero);
     vectorField solid(body_.solid.nFaces, Zero);
+    const fvMesh& mesh = stokes_.stencil().mesh();
+    places_ = vectorField(body_.fluid.nFaces, Zero);
     forAll(body_.fluid.faces, i)
     {
         const label b = body_.fluid.faces[i];
         fluid[body_.fluid.faceNumbers[i]] =
             vector(stokes_.wallCoeff(b), rows.toGlobal(fluidCell(b)), 0);
+        places_[body_.fluid.faceNumbers[i]] =
+            mesh.faceCentres()[mesh.nInternalFaces() + b];
     }
     forAll(body_.solid.faces, i)
     {
@@ -70,6 +87,7 @@ void Foam::fsbi::elasticBlock::setSurface(const globalIndex& rows)
     }
     surfaceSide::sum(fluid);
     surfaceSide::sum(solid);
+    surfaceSide::sum(places_);
     const label n = fluid.size();
     fluidK_ = fluid.component(vector::X);
     solidK_.setSize(n);
@@ -179,6 +197,7 @@ void Foam::fsbi::elasticBlock::addEntries
     const globalIndex& rows, compactEntries& entries
 )
 {
+    setWhole();
     setSurface(rows);
     addBody(rows, entries);
     addLinks(rows, entries);
@@ -193,7 +212,7 @@ Foam::scalar Foam::fsbi::elasticBlock::room() const
         return 0;
     }
     const scalar bulk = law.lambda() + 2*elastic_.state().shearModulus()/3;
-    return body_.velocityCoeff*gSum(body_.volumes)/bulk;
+    return body_.velocityCoeff*volume_/bulk;
 }
 
 
@@ -251,7 +270,39 @@ void Foam::fsbi::elasticBlock::begin
         }
     }
     addPressures(r, z, rhs, force);
+    turn(fluidPressure, cells);
     share(force, fluidPressure, rhs);
+}
+
+
+void Foam::fsbi::elasticBlock::turn
+(
+    const scalarList& fluidPressure, const UList<vector>& forces
+) const
+{
+    omega_ = Zero;
+    if (!free_)
+    {
+        return;
+    }
+    vector torque(Zero);
+    forAll(forces, i)
+    {
+        torque += (body_.centres[i] - centre_) ^ forces[i];
+    }
+    const fvMesh& mesh = stokes_.stencil().mesh();
+    forAll(body_.fluid.faces, i)
+    {
+        const label b = body_.fluid.faces[i];
+        const label facei = mesh.nInternalFaces() + b;
+        torque +=
+            (mesh.faceCentres()[facei] - centre_)
+          ^ (fluidPressure[fluidCell(b)]*mesh.faceAreas()[facei]);
+    }
+    reduce(torque, sumOp<vector>());
+    const scalar mu = stokes_.mu();
+    const scalar k = elastic_.state().stiffness()/body_.velocityCoeff;
+    omega_ = k/((k + 3*mu)*6*mu*volume_)*torque;
 }
 
 
@@ -283,7 +334,8 @@ void Foam::fsbi::elasticBlock::share
     push_.setSize(n);
     forAll(push_, i)
     {
-        push_[i] = sums[i] + sums[n + i];
+        push_[i] =
+            sums[i] + sums[n + i] - fluidK_[i]*turning(places_[i]);
     }
 
     forAll(body_.fluid.faces, i)
@@ -292,7 +344,11 @@ void Foam::fsbi::elasticBlock::share
         if (solidK_[number] > 0)
         {
             rhs[fluidCell(body_.fluid.faces[i])] +=
-                fluidK_[number]/sumK(number)*push_[number];
+                fluidK_[number]
+               *(
+                    push_[number]/sumK(number)
+                  + turning(places_[number])
+                );
         }
     }
     forAll(body_.solid.faces, i)
@@ -319,7 +375,9 @@ void Foam::fsbi::elasticBlock::end
     vector* u = asVectors(z);
     for (label i = 0; i < nCells; ++i)
     {
-        u[i] = velocity[firstRow_ + i]/body_.velocityCoeff;
+        u[i] =
+            (velocity[firstRow_ + i] + turning(body_.centres[i]))
+           /body_.velocityCoeff;
     }
     std::copy_n(row + nCells, stencil_.nGhosts(), u + nCells);
     elastic_.boundary().followCells(u);
@@ -347,12 +405,17 @@ void Foam::fsbi::elasticBlock::end
                 moves = true;
                 vb +=
                     body_.cut.share(number)
-                   *(K*vs + pulled[number] + push_[number])/sumK(number);
+                   *(
+                        (K*vs + pulled[number] + push_[number])/sumK(number)
+                      + turning(places_[number])
+                    );
             }
         }
         if (moves)
         {
-            u[nCells + stencil_.ghostOf()[b]] = (2*vb - vs)/body_.velocityCoeff;
+            u[nCells + stencil_.ghostOf()[b]] =
+                (2*vb - vs - turning(body_.centres[solidCell(b)]))
+               /body_.velocityCoeff;
         }
     }
 }
