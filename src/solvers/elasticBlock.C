@@ -53,7 +53,8 @@ void Foam::fsbi::elasticBlock::setWhole()
     bool held = false;
     for (const auto kind : elastic_.boundary().kinds())
     {
-        held |= kind != solidBoundary::traction;
+        held |=
+            kind != solidBoundary::traction && kind != solidBoundary::coupled;
     }
     free_ = !returnReduce(held, orOp<bool>());
 }
