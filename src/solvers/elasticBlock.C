@@ -50,13 +50,7 @@ void Foam::fsbi::elasticBlock::setWhole()
 {
     volume_ = gSum(body_.volumes);
     centre_ = gSum(body_.volumes*body_.centres)/volume_;
-    bool held = false;
-    for (const auto kind : elastic_.boundary().kinds())
-    {
-        held |=
-            kind != solidBoundary::traction && kind != solidBoundary::coupled;
-    }
-    free_ = !returnReduce(held, orOp<bool>());
+    free_ = !elastic_.boundary().held();
 }
 
 

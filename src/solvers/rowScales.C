@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "rowScales.H"
+#include "asVectors.H"
 #include "mathematicalConstants.H"
 
 Foam::fsbi::rowScales::rowScales
@@ -50,9 +51,84 @@ Foam::fsbi::rowScales::rowScales
     }
     for (const elasticRows* body : elastic)
     {
+        const label start = elastic_.size();
         for (const scalar s : body->elastic->rowScale(body->mass))
         {
             elastic_.append(s*body->velocityCoeff);
+        }
+        if (!body->elastic->boundary().held())
+        {
+            addWhole(*body, stokes.mu(), start);
+        }
+    }
+}
+
+
+void Foam::fsbi::rowScales::addWhole
+(
+    const elasticRows& body, const scalar mu, const label start
+)
+{
+    scalarField weights(body.centres.size());
+    forAll(weights, i)
+    {
+        weights[i] = 1/elastic_[start + 3*i];
+    }
+    const scalar sum = gSum(weights);
+    whole w;
+    w.start = 4*momentum_.size() + start;
+    w.arms = body.centres - gSum(weights*body.centres)/sum;
+    const scalar pi = constant::mathematical::pi;
+    const scalar V = gSum(body.volumes);
+    const scalar a = cbrt(3*V/(4*pi));
+    const scalar inertia = gSum(body.mass)/body.velocityCoeff;
+    w.drag = 6*pi*mu*a + inertia;
+    w.spin = 6*mu*V + 0.4*sqr(a)*inertia;
+    w.toForce = 1/(1 + sum/w.drag);
+    const symmTensor moment
+    (
+        gSum(weights*(magSqr(w.arms)*symmTensor(I) - sqr(w.arms)))
+    );
+    w.toTorque = inv(tensor(I) + moment/w.spin);
+    wholes_.append(w);
+}
+
+
+Foam::vectorField Foam::fsbi::rowScales::loads(const scalar* rows) const
+{
+    vectorField sums(2*wholes_.size(), Zero);
+    forAll(wholes_, b)
+    {
+        const vectorField& arms = wholes_[b].arms;
+        const vector* row = asVectors(rows + wholes_[b].start);
+        forAll(arms, i)
+        {
+            sums[2*b] += row[i];
+            sums[2*b + 1] += arms[i] ^ row[i];
+        }
+    }
+    if (wholes_.size())
+    {
+        surfaceSide::sum(sums);
+    }
+    return sums;
+}
+
+
+void Foam::fsbi::rowScales::addVelocities
+(
+    const vectorField& loads, const scalar part, scalar* rows
+) const
+{
+    forAll(wholes_, b)
+    {
+        const whole& w = wholes_[b];
+        const vector v(part/w.drag*loads[2*b]);
+        const vector omega(part/w.spin*loads[2*b + 1]);
+        vector* row = asVectors(rows + w.start);
+        forAll(w.arms, i)
+        {
+            row[i] += v + (omega ^ w.arms[i]);
         }
     }
 }
@@ -60,6 +136,7 @@ Foam::fsbi::rowScales::rowScales
 
 void Foam::fsbi::rowScales::apply(scalar* r) const
 {
+    const vectorField acting(loads(r));
     forAll(momentum_, i)
     {
         r[4*i] *= momentum_[i];
@@ -71,6 +148,7 @@ void Foam::fsbi::rowScales::apply(scalar* r) const
     {
         r[4*momentum_.size() + i] *= elastic_[i];
     }
+    addVelocities(acting, 1, r);
 }
 
 
@@ -87,5 +165,17 @@ void Foam::fsbi::rowScales::undo(const scalar* scaled, scalar* r) const
     forAll(elastic_, i)
     {
         r[n + i] = scaled[n + i]/elastic_[i];
+    }
+    vectorField acting(loads(r));
+    forAll(wholes_, b)
+    {
+        acting[2*b] *= wholes_[b].toForce;
+        acting[2*b + 1] = wholes_[b].toTorque & acting[2*b + 1];
+    }
+    std::copy_n(scaled + n, elastic_.size(), r + n);
+    addVelocities(acting, -1, r);
+    forAll(elastic_, i)
+    {
+        r[n + i] /= elastic_[i];
     }
 }
