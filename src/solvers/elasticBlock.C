@@ -46,28 +46,16 @@ Foam::label Foam::fsbi::elasticBlock::solidCell(const label i) const
 }
 
 
-void Foam::fsbi::elasticBlock::setWhole()
-{
-    volume_ = gSum(body_.volumes);
-    centre_ = gSum(body_.volumes*body_.centres)/volume_;
-    free_ = !elastic_.boundary().held();
-}
-
-
 void Foam::fsbi::elasticBlock::setSurface(const globalIndex& rows)
 {
     // columns and coefficients by number; doubles hold columns exactly
     vectorField fluid(body_.fluid.nFaces, Zero);
     vectorField solid(body_.solid.nFaces, Zero);
-    const fvMesh& mesh = stokes_.stencil().mesh();
-    places_ = vectorField(body_.fluid.nFaces, Zero);
     forAll(body_.fluid.faces, i)
     {
         const label b = body_.fluid.faces[i];
         fluid[body_.fluid.faceNumbers[i]] =
             vector(stokes_.wallCoeff(b), rows.toGlobal(fluidCell(b)), 0);
-        places_[body_.fluid.faceNumbers[i]] =
-            mesh.faceCentres()[mesh.nInternalFaces() + b];
     }
     forAll(body_.solid.faces, i)
     {
@@ -82,7 +70,6 @@ void Foam::fsbi::elasticBlock::setSurface(const globalIndex& rows)
     }
     surfaceSide::sum(fluid);
     surfaceSide::sum(solid);
-    surfaceSide::sum(places_);
     const label n = fluid.size();
     fluidK_ = fluid.component(vector::X);
     solidK_.setSize(n);
@@ -192,7 +179,8 @@ void Foam::fsbi::elasticBlock::addEntries
     const globalIndex& rows, compactEntries& entries
 )
 {
-    setWhole();
+    volume_ = gSum(body_.volumes);
+    free_ = !elastic_.boundary().held();
     setSurface(rows);
     addBody(rows, entries);
     addLinks(rows, entries);
@@ -276,14 +264,16 @@ void Foam::fsbi::elasticBlock::turn
 ) const
 {
     omega_ = Zero;
+    cells_ = body_.places();
     if (!free_)
     {
         return;
     }
+    centre_ = gSum(body_.volumes*cells_)/volume_;
     vector torque(Zero);
     forAll(forces, i)
     {
-        torque += (body_.centres[i] - centre_) ^ forces[i];
+        torque += (cells_[i] - centre_) ^ forces[i];
     }
     const fvMesh& mesh = stokes_.stencil().mesh();
     forAll(body_.fluid.faces, i)
@@ -308,7 +298,7 @@ void Foam::fsbi::elasticBlock::share
 {
     const fvMesh& mesh = stokes_.stencil().mesh();
     const label n = body_.fluid.nFaces;
-    vectorField sums(2*n, Zero);
+    vectorField sums(3*n, Zero);
     forAll(body_.solid.faces, i)
     {
         for (const label number : parts_[body_.solid.faceNumbers[i]])
@@ -324,8 +314,11 @@ void Foam::fsbi::elasticBlock::share
         sums[n + body_.fluid.faceNumbers[i]] =
             fluidPressure[fluidCell(b)]
            *mesh.faceAreas()[mesh.nInternalFaces() + b];
+        sums[2*n + body_.fluid.faceNumbers[i]] =
+            mesh.faceCentres()[mesh.nInternalFaces() + b];
     }
     surfaceSide::sum(sums);
+    places_ = SubField<vector>(sums, n, 2*n);
     push_.setSize(n);
     forAll(push_, i)
     {
@@ -371,7 +364,7 @@ void Foam::fsbi::elasticBlock::end
     for (label i = 0; i < nCells; ++i)
     {
         u[i] =
-            (velocity[firstRow_ + i] + turning(body_.centres[i]))
+            (velocity[firstRow_ + i] + turning(cells_[i]))
            /body_.velocityCoeff;
     }
     std::copy_n(row + nCells, stencil_.nGhosts(), u + nCells);
@@ -409,7 +402,7 @@ void Foam::fsbi::elasticBlock::end
         if (moves)
         {
             u[nCells + stencil_.ghostOf()[b]] =
-                (2*vb - vs - turning(body_.centres[solidCell(b)]))
+                (2*vb - vs - turning(cells_[solidCell(b)]))
                /body_.velocityCoeff;
         }
     }

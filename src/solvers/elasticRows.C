@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "elasticRows.H"
+#include "asVectors.H"
 #include "massRows.H"
 
 Foam::fsbi::surfaceDisplacement Foam::fsbi::surfaceDisplacement::split
@@ -19,6 +20,18 @@ Foam::fsbi::surfaceDisplacement Foam::fsbi::surfaceDisplacement::split
 }
 
 
+Foam::pointField Foam::fsbi::elasticRows::places() const
+{
+    pointField result(centres);
+    const vector* u = asVectors(x->cdata());
+    forAll(result, celli)
+    {
+        result[celli] += u[celli];
+    }
+    return result;
+}
+
+
 void Foam::fsbi::elasticRows::spread(const sixVector& load)
 {
     acting.clear();
@@ -26,12 +39,7 @@ void Foam::fsbi::elasticRows::spread(const sixVector& load)
     {
         return;
     }
-    vectorField r(centres.size());
-    forAll(r, celli)
-    {
-        const scalar* u = x->cdata() + 3*celli;
-        r[celli] = centres[celli] + vector(u[0], u[1], u[2]);
-    }
+    vectorField r(places());
     const scalar V = gSum(volumes);
     r -= gSum(volumes*r)/V;
     const symmTensor J(gSum(volumes*(magSqr(r)*symmTensor::I - sqr(r))));

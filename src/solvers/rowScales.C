@@ -77,7 +77,8 @@ void Foam::fsbi::rowScales::addWhole
     const scalar sum = gSum(weights);
     whole w;
     w.start = 4*momentum_.size() + start;
-    w.arms = body.centres - gSum(weights*body.centres)/sum;
+    w.arms = body.places();
+    w.arms -= gSum(weights*w.arms)/sum;
     const scalar pi = constant::mathematical::pi;
     const scalar V = gSum(body.volumes);
     const scalar a = cbrt(3*V/(4*pi));
