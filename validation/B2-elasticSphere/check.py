@@ -260,6 +260,28 @@ def iterations():
         draw_iterations(found)
 
 
+def sinking():
+    """Where the fluid leaves no room for a change of volume, stiff spheres move like
+    a rigid one."""
+    rigid = Case("runs/sinking0").history["bodies/cell/velocity"]["y"][-1] / -1e-3
+    for run in cases("runs/sinking1e*"):
+        cost = run.history["cost"]
+        variant = run.folder.removeprefix("runs/")
+        # bounds: as of the runs "ratio"
+        results.add("iterations_sinking_abs", cost["iterations"].max(), 0, 200,
+                    seconds=run.seconds, cells=run.cells, variant=variant)
+        results.add("corrections_sinking_abs", cost["corrections"].max(), 0, 5,
+                    cells=run.cells, variant=variant)
+        body = "elasticBodies/cell/"
+        fallen = run.history[body + "centre"]["y"][-2:]
+        speed = np.diff(fallen)[0] / (0.05 / RATE)
+        force = -5e-6 * run.history[body + "volume"]["now"][-1]
+        # bound: a hundred times the tolerance; strains are below 1e-6
+        results.add("mobility_sinking", speed / force, rigid, 1e-4, variant=variant)
+        # bound: of the three steps as given none is rejected
+        results.at_least("steps_sinking", 3 / len(cost["iterations"]), 1, variant=variant)
+
+
 def draw_iterations(found):
     figure, axes = plots.plt.subplots()
     for mesh, label in ((1, "coarse mesh"), (2, "fine mesh")):
@@ -355,6 +377,7 @@ def main():
     steady_shapes()
     fourth_order()
     iterations()
+    sinking()
     if not quick:
         growth(order())
         start_up()
