@@ -205,6 +205,7 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::improve
     }
     else
     {
+        system_->finishRotations(before, x);
         takeSecants(before, x);
         if (withoutElastic())
         {

@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "coupledSystem.H"
 #include "bodyCoupling.H"
+#include "finiteRotation.H"
 #include "volFields.H"
 #include "PstreamReduceOps.H"
 
@@ -365,6 +366,22 @@ void Foam::fsbi::coupledSystem::followShapes()
     for (const elasticRows* body : elastic_)
     {
         shapes_.append(new shapeDerivative(momentum_.viscous(), *body));
+    }
+}
+
+
+void Foam::fsbi::coupledSystem::finishRotations
+(
+    const scalarList& before, scalarList& x
+) const
+{
+    forAll(elastic_, e)
+    {
+        const label start = layout_.elastic(e);
+        finishRotation
+        (
+            *elastic_[e], before.cdata() + start, x.begin() + start
+        );
     }
 }
 

@@ -6,18 +6,20 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "elasticBlock.H"
 #include "asVectors.H"
 #include "compactPressures.H"
+#include "mathematicalConstants.H"
 
 Foam::fsbi::elasticBlock::elasticBlock
 (
     const elasticRows& body,
-    const stokesOperator& stokes,
+    const momentumEquation& momentum,
     const label firstRow
 )
 :
     body_(body),
     elastic_(*body.elastic),
     stencil_(elastic_.stencil()),
-    stokes_(stokes),
+    momentum_(momentum),
+    stokes_(momentum.viscous()),
     firstRow_(firstRow),
     pressure_(elastic_.state().mixed() ? stencil_.vertices().size() : 0, Zero)
 {}
@@ -181,6 +183,10 @@ void Foam::fsbi::elasticBlock::addEntries
 {
     volume_ = gSum(body_.volumes);
     free_ = !elastic_.boundary().held();
+    const scalar a = cbrt(0.75*volume_/constant::mathematical::pi);
+    spin_ =
+        sphereResistance(a, momentum_).spin
+      + 0.4*sqr(a)*gSum(body_.mass)/body_.velocityCoeff;
     setSurface(rows);
     addBody(rows, entries);
     addLinks(rows, entries);
@@ -260,7 +266,7 @@ void Foam::fsbi::elasticBlock::begin
 
 void Foam::fsbi::elasticBlock::turn
 (
-    const scalarList& fluidPressure, const UList<vector>& forces
+    const scalarList& fluidPressure, UList<vector>& forces
 ) const
 {
     omega_ = Zero;
@@ -287,7 +293,11 @@ void Foam::fsbi::elasticBlock::turn
     reduce(torque, sumOp<vector>());
     const scalar mu = stokes_.mu();
     const scalar k = elastic_.state().stiffness()/body_.velocityCoeff;
-    omega_ = k/((k + 3*mu)*6*mu*volume_)*torque;
+    omega_ = k/((k + 3*mu)*spin_)*torque;
+    forAll(forces, i)
+    {
+        forces[i] -= body_.mass[i]/body_.velocityCoeff*turning(cells_[i]);
+    }
 }
 
 

@@ -7,6 +7,19 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "asVectors.H"
 #include "mathematicalConstants.H"
 
+Foam::fsbi::sphereResistance::sphereResistance
+(
+    const scalar a, const momentumEquation& momentum
+)
+{
+    const scalar pi = constant::mathematical::pi;
+    const scalar mu = momentum.viscous().mu();
+    const scalar l = a*Foam::sqrt(momentum.densityRate()/mu);
+    drag = 6*pi*mu*a*(1 + l + sqr(l)/9);
+    spin = 8*pi*mu*pow3(a)*(1 + sqr(l)/(3 + 3*l));
+}
+
+
 Foam::fsbi::rowScales::rowScales
 (
     const momentumEquation& momentum,
@@ -30,19 +43,13 @@ Foam::fsbi::rowScales::rowScales
     {
         momentum_[i] = 1/(stokes.diagonal()[i] + momentum.massRate()[i]);
     }
-    const scalar pi = constant::mathematical::pi;
     forAll(bodies, b)
     {
         const bodyRows& body = bodies[b];
         const scalar a = body.radius;
-        // a sphere in unsteady Stokes flow, l the radius over the depth that
-        // momentum reaches in a step
-        const scalar l = a*Foam::sqrt(momentum.densityRate()/stokes.mu());
-        const scalar drag =
-            6*pi*stokes.mu()*a*(1 + l + sqr(l)/9) + body.massRate;
-        const scalar spin =
-            8*pi*stokes.mu()*pow3(a)*(1 + sqr(l)/(3 + 3*l))
-          + tr(body.inertiaRate)/3;
+        const sphereResistance sphere(a, momentum);
+        const scalar drag = sphere.drag + body.massRate;
+        const scalar spin = sphere.spin + tr(body.inertiaRate)/3;
         for (label k = 0; k < 6; ++k)
         {
             resistance_[b][k] = body.free[k] ? (k < 3 ? drag : spin) : 1;
@@ -58,7 +65,7 @@ Foam::fsbi::rowScales::rowScales
         }
         if (!body->elastic->boundary().held())
         {
-            addWhole(*body, stokes.mu(), start);
+            addWhole(*body, momentum, start);
         }
     }
 }
@@ -66,7 +73,9 @@ Foam::fsbi::rowScales::rowScales
 
 void Foam::fsbi::rowScales::addWhole
 (
-    const elasticRows& body, const scalar mu, const label start
+    const elasticRows& body,
+    const momentumEquation& momentum,
+    const label start
 )
 {
     scalarField weights(body.centres.size());
@@ -79,12 +88,15 @@ void Foam::fsbi::rowScales::addWhole
     w.start = 4*momentum_.size() + start;
     w.arms = body.places();
     w.arms -= gSum(weights*w.arms)/sum;
-    const scalar pi = constant::mathematical::pi;
-    const scalar V = gSum(body.volumes);
-    const scalar a = cbrt(3*V/(4*pi));
+    const scalar a =
+        cbrt(0.75*gSum(body.volumes)/constant::mathematical::pi);
     const scalar inertia = gSum(body.mass)/body.velocityCoeff;
-    w.drag = 6*pi*mu*a + inertia;
-    w.spin = 6*mu*V + 0.4*sqr(a)*inertia;
+    const sphereResistance sphere(a, momentum);
+    // together, all of its cells weigh as much as the one row of a rigid body
+    const scalar n =
+        Foam::sqrt(scalar(returnReduce(weights.size(), sumOp<label>())));
+    w.drag = n*(sphere.drag + inertia);
+    w.spin = n*(sphere.spin + 0.4*sqr(a)*inertia);
     w.toForce = 1/(1 + sum/w.drag);
     const symmTensor moment
     (

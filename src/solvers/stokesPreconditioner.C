@@ -66,7 +66,7 @@ Foam::fsbi::stokesPreconditioner::stokesPreconditioner
 {
     for (const elasticRows* body : elastic)
     {
-        elastic_.append(new elasticBlock(*body, stokes_, nRows_));
+        elastic_.append(new elasticBlock(*body, momentum_, nRows_));
         elasticSize_.append(body->elastic->size());
         nRows_ += elastic_.last().nRows();
     }

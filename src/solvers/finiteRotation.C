@@ -1,0 +1,73 @@
+/*---------------------------------------------------------------------------*\
+fsbiFoam | Copyright (C) 2026 the fsbiFoam authors
+SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "finiteRotation.H"
+#include "asVectors.H"
+#include "quaternion.H"
+
+namespace Foam
+{
+namespace fsbi
+{
+
+//- Mean rotation, by volume, of u at places d from their centre. Collective
+static vector meanRotation
+(
+    const scalarField& volumes, const vectorField& d, const vectorField& u
+)
+{
+    const symmTensor moment
+    (
+        gSum(volumes*(magSqr(d)*symmTensor(I) - sqr(d)))
+    );
+    return inv(moment) & gSum(volumes*(d ^ u));
+}
+
+} // End namespace fsbi
+} // End namespace Foam
+
+
+void Foam::fsbi::finishRotation
+(
+    const elasticRows& body, const scalar* before, scalar* x
+)
+{
+    const elasticOperator& elastic = *body.elastic;
+    if (elastic.boundary().held())
+    {
+        return;
+    }
+    scalarList places(elastic.size(), Zero);
+    elastic.set([](const point& X){ return X; }, places.begin());
+    vectorField now(body.volumes.size()), moved(now.size());
+    forAll(now, i)
+    {
+        now[i] = asVectors(places.cdata())[i] + asVectors(before)[i];
+        moved[i] = asVectors(x)[i] - asVectors(before)[i];
+    }
+    const point centre(gSum(body.volumes*now)/gSum(body.volumes));
+    const vector theta(meanRotation(body.volumes, now - centre, moved));
+    if (mag(theta) < SMALL)
+    {
+        return;
+    }
+    const tensor beyond
+    (
+        quaternion(theta/mag(theta), mag(theta)).R() - tensor(I) - *theta
+    );
+    const auto turn = [&](const label start, const label n)
+    {
+        const vector* X = asVectors(places.cdata() + start);
+        const vector* u = asVectors(before + start);
+        vector* v = asVectors(x + start);
+        for (label i = 0; i < n; ++i)
+        {
+            v[i] += beyond & (X[i] + u[i] - centre);
+        }
+    };
+    const elasticStencil& stencil = elastic.stencil();
+    turn(0, stencil.nCells() + stencil.nGhosts());
+    turn(elastic.firstJointRow(), stencil.joints().owned().size());
+}
