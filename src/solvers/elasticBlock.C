@@ -182,7 +182,7 @@ void Foam::fsbi::elasticBlock::addEntries
 )
 {
     volume_ = gSum(body_.volumes);
-    free_ = !elastic_.boundary().held();
+    free_ = !solidBoundary::hold(elastic_.boundary().kinds());
     const scalar a = cbrt(0.75*volume_/constant::mathematical::pi);
     spin_ =
         sphereResistance(a, momentum_).spin

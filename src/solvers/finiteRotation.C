@@ -35,7 +35,7 @@ void Foam::fsbi::finishRotation
 )
 {
     const elasticOperator& elastic = *body.elastic;
-    if (elastic.boundary().held())
+    if (solidBoundary::hold(elastic.boundary().kinds()))
     {
         return;
     }

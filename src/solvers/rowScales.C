@@ -63,7 +63,7 @@ Foam::fsbi::rowScales::rowScales
         {
             elastic_.append(s*body->velocityCoeff);
         }
-        if (!body->elastic->boundary().held())
+        if (!solidBoundary::hold(body->elastic->boundary().kinds()))
         {
             addWhole(*body, momentum, start);
         }

@@ -20,17 +20,6 @@ Foam::fsbi::elasticBoundary::elasticBoundary
 {}
 
 
-bool Foam::fsbi::elasticBoundary::held() const
-{
-    bool any = false;
-    for (const solidBoundary::kind k : kinds_)
-    {
-        any |= k == solidBoundary::displacement || k == solidBoundary::symmetry;
-    }
-    return returnReduce(any, orOp<bool>());
-}
-
-
 Foam::vector Foam::fsbi::elasticBoundary::footToFace(const label ghost) const
 {
     const label i = stencil_.firstBoundary() + ghost;
