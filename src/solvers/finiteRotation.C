@@ -12,6 +12,21 @@ namespace Foam
 namespace fsbi
 {
 
+//- Does nothing in the body resist its rotation: no support, no law for small
+//  rotations? Collective
+static bool turnsFreely(const elasticOperator& elastic)
+{
+    for (const solidMaterial* law : elastic.parts().laws)
+    {
+        if (law->linear())
+        {
+            return false;
+        }
+    }
+    return !solidBoundary::hold(elastic.boundary().kinds());
+}
+
+
 //- Mean rotation, by volume, of u at places d from their centre. Collective
 static vector meanRotation
 (
@@ -35,7 +50,7 @@ void Foam::fsbi::finishRotation
 )
 {
     const elasticOperator& elastic = *body.elastic;
-    if (solidBoundary::hold(elastic.boundary().kinds()))
+    if (!turnsFreely(elastic))
     {
         return;
     }
