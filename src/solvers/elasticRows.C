@@ -7,6 +7,15 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "asVectors.H"
 #include "massRows.H"
 
+Foam::symmTensor Foam::fsbi::momentOfInertia
+(
+    const scalarField& w, const vectorField& d
+)
+{
+    return gSum(w*(magSqr(d)*symmTensor::I - sqr(d)));
+}
+
+
 Foam::fsbi::surfaceDisplacement Foam::fsbi::surfaceDisplacement::split
 (
     const vectorField& both, const surfaceSide& side
@@ -42,7 +51,7 @@ void Foam::fsbi::elasticRows::spread(const sixVector& load)
     vectorField r(places());
     const scalar V = gSum(volumes);
     r -= gSum(volumes*r)/V;
-    const symmTensor J(gSum(volumes*(magSqr(r)*symmTensor::I - sqr(r))));
+    const symmTensor J(momentOfInertia(volumes, r));
     acting = volumes*(linear(load)/V + ((inv(J) & angular(load)) ^ r));
 }
 

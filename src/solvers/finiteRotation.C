@@ -33,11 +33,7 @@ static vector meanRotation
     const scalarField& volumes, const vectorField& d, const vectorField& u
 )
 {
-    const symmTensor moment
-    (
-        gSum(volumes*(magSqr(d)*symmTensor(I) - sqr(d)))
-    );
-    return inv(moment) & gSum(volumes*(d ^ u));
+    return inv(momentOfInertia(volumes, d)) & gSum(volumes*(d ^ u));
 }
 
 } // End namespace fsbi

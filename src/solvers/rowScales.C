@@ -98,11 +98,7 @@ void Foam::fsbi::rowScales::addWhole
     w.drag = n*(sphere.drag + inertia);
     w.spin = n*(sphere.spin + 0.4*sqr(a)*inertia);
     w.toForce = 1/(1 + sum/w.drag);
-    const symmTensor moment
-    (
-        gSum(weights*(magSqr(w.arms)*symmTensor(I) - sqr(w.arms)))
-    );
-    w.toTorque = inv(tensor(I) + moment/w.spin);
+    w.toTorque = inv(tensor(I) + momentOfInertia(weights, w.arms)/w.spin);
     wholes_.append(w);
 }
 
