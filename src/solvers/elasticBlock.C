@@ -6,7 +6,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "elasticBlock.H"
 #include "asVectors.H"
 #include "compactPressures.H"
-#include "mathematicalConstants.H"
 
 Foam::fsbi::elasticBlock::elasticBlock
 (
@@ -183,10 +182,7 @@ void Foam::fsbi::elasticBlock::addEntries
 {
     volume_ = gSum(body_.volumes);
     free_ = !solidBoundary::hold(elastic_.boundary().kinds());
-    const scalar a = cbrt(0.75*volume_/constant::mathematical::pi);
-    spin_ =
-        sphereResistance(a, momentum_).spin
-      + 0.4*sqr(a)*gSum(body_.mass)/body_.velocityCoeff;
+    spin_ = sphereResistance(body_, momentum_).spin;
     setSurface(rows);
     addBody(rows, entries);
     addLinks(rows, entries);

@@ -7,6 +7,16 @@ SPDX-License-Identifier: GPL-3.0-or-later
 #include "asVectors.H"
 #include "mathematicalConstants.H"
 
+//- Of the sphere of the body's volume. Collective
+static Foam::scalar radius(const Foam::fsbi::elasticRows& body)
+{
+    return cbrt
+    (
+        0.75*gSum(body.volumes)/Foam::constant::mathematical::pi
+    );
+}
+
+
 Foam::fsbi::sphereResistance::sphereResistance
 (
     const scalar a, const momentumEquation& momentum
@@ -17,6 +27,19 @@ Foam::fsbi::sphereResistance::sphereResistance
     const scalar l = a*Foam::sqrt(momentum.densityRate()/mu);
     drag = 6*pi*mu*a*(1 + l + sqr(l)/9);
     spin = 8*pi*mu*pow3(a)*(1 + sqr(l)/(3 + 3*l));
+}
+
+
+Foam::fsbi::sphereResistance::sphereResistance
+(
+    const elasticRows& body, const momentumEquation& momentum
+)
+:
+    sphereResistance(radius(body), momentum)
+{
+    const scalar inertia = gSum(body.mass)/body.velocityCoeff;
+    drag += inertia;
+    spin += 0.4*sqr(radius(body))*inertia;
 }
 
 
@@ -88,15 +111,12 @@ void Foam::fsbi::rowScales::addWhole
     w.start = 4*momentum_.size() + start;
     w.arms = body.places();
     w.arms -= gSum(weights*w.arms)/sum;
-    const scalar a =
-        cbrt(0.75*gSum(body.volumes)/constant::mathematical::pi);
-    const scalar inertia = gSum(body.mass)/body.velocityCoeff;
-    const sphereResistance sphere(a, momentum);
+    const sphereResistance sphere(body, momentum);
     // together, all of its cells weigh as much as the one row of a rigid body
     const scalar n =
         Foam::sqrt(scalar(returnReduce(weights.size(), sumOp<label>())));
-    w.drag = n*(sphere.drag + inertia);
-    w.spin = n*(sphere.spin + 0.4*sqr(a)*inertia);
+    w.drag = n*sphere.drag;
+    w.spin = n*sphere.spin;
     w.toForce = 1/(1 + sum/w.drag);
     w.toTorque = inv(tensor(I) + momentOfInertia(weights, w.arms)/w.spin);
     wholes_.append(w);
