@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "smoothedFacets.H"
+#include "EdgeMap.H"
 #include "HashSet.H"
 
 #include <Eigen/Dense>
@@ -16,6 +17,9 @@ namespace fsbi
 //- Neighbours count with this power of their distance: the nearest decide, those
 //  behind them make the fit one even where there are only three or four
 static const scalar decay = -4;
+
+//- Cosine of the angle between triangles from which on the edge is a sharp one
+static const scalar sharp = 0.5;
 
 //- 1, u, v ... without the 1
 static FixedList<scalar, 5> powers(const scalar u, const scalar v)
@@ -41,6 +45,30 @@ static labelListList neighboursOf(const bodySurface& surface)
         lists[i] = sets[i].sortedToc();
     }
     return lists;
+}
+
+//- Is a corner at a sharp edge?
+static boolList atSharpEdges(const bodySurface& surface)
+{
+    boolList result(surface.points().size(), false);
+    EdgeMap<vector> normals;
+    for (const triFace& t : surface.triangles())
+    {
+        const vector n(t.unitNormal(surface.points()));
+        for (const edge& e : t.edges())
+        {
+            const auto other = normals.cfind(e);
+            if (!other.found())
+            {
+                normals.insert(e, n);
+            }
+            else if ((n & *other) < sharp)
+            {
+                result[e[0]] = result[e[1]] = true;
+            }
+        }
+    }
+    return result;
 }
 
 } // End namespace fsbi
@@ -120,8 +148,13 @@ Foam::fsbi::smoothedFacets::smoothedFacets(const bodySurface& reference)
 {
     const labelListList neighbours(neighboursOf(reference_));
     const vectorField areas(reference_.pointAreas());
+    const boolList flat(atSharpEdges(reference_));
     forAll(quadratics_, k)
     {
+        if (flat[k])
+        {
+            continue;
+        }
         const vector n(normalised(areas[k]));
         quadratic& q = quadratics_[k];
         q.e1 = n ^ (mag(n.x()) < 0.6 ? vector(1, 0, 0) : vector(0, 1, 0));
@@ -130,7 +163,10 @@ Foam::fsbi::smoothedFacets::smoothedFacets(const bodySurface& reference)
         labelHashSet two(neighbours[k]);
         for (const label i : neighbours[k])
         {
-            two.insert(neighbours[i]);
+            if (!flat[i])
+            {
+                two.insert(neighbours[i]);
+            }
         }
         two.erase(k);
         q.neighbours = two.sortedToc();
@@ -228,6 +264,14 @@ Foam::fsbi::pointWeights Foam::fsbi::smoothedFacets::at
         }
         const label k = place.corners[c];
         const quadratic& q = quadratics_[k];
+        if (q.flat())
+        {
+            for (label i = 0; i < 3; ++i)
+            {
+                result.add(place.corners[i], beta*place.shares[i]);
+            }
+            continue;
+        }
         const vector r(flat - reference_.points()[k]);
         auto terms = powers(r & q.e1, r & q.e2);
         for (label j = 0; j < 3; ++j)

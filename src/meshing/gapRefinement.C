@@ -250,6 +250,18 @@ Foam::List<Foam::fsbi::bodySurface> Foam::fsbi::surfacesOf
 }
 
 
+bool Foam::fsbi::anyCut(const UList<surfaceInGaps>& bodies)
+{
+    return std::any_of
+    (
+        bodies.begin(), bodies.end(), [](const surfaceInGaps& body)
+        {
+            return !body.cut.empty();
+        }
+    );
+}
+
+
 Foam::List<Foam::fsbi::surfaceInGaps> Foam::fsbi::refinedInGaps
 (
     const UList<bodySurface>& bodies,

@@ -218,11 +218,21 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::generate
     List<surfaceInGaps> surfaces(ownSurfaces(present_));
     if (Pstream::master())
     {
-        surfaces = refinedSurfaces();
-        whole = mesher_->generate
-        (
-            namesOf(present_), surfacesOf(surfaces), shift(), finestEdge()
-        );
+        const auto mesh = [&](const bool deforming)
+        {
+            surfaces = refinedSurfaces(deforming);
+            whole = mesher_->generate
+            (
+                namesOf(present_), surfacesOf(surfaces), shift(), finestEdge()
+            );
+        };
+        mesh(true);
+        if (!whole.valid() && anyCut(surfaces))
+        {
+            Info<< "Triangles of elastic bodies are not cut in gaps: "
+                << whole.failure.c_str() << endl;
+            mesh(false);
+        }
     }
     string reason(whole.failure);
     Pstream::scatter(reason);

@@ -44,40 +44,36 @@ Foam::scalar Foam::fsbi::fluidMesh::finestEdge() const
 }
 
 
-bool Foam::fsbi::fluidMesh::refines(const bool deforming) const
+bool Foam::fsbi::fluidMesh::refines() const
 {
-    bool any = remeshControls(remeshDict_).gapSag > 0;
+    bool all = remeshControls(remeshDict_).gapSag > 0;
     for (const immersedBody& body : present_)
     {
-        any = any && (body.hasShape() || (deforming && body.smooth()));
+        all = all && (body.hasShape() || body.smooth());
     }
-    return any;
+    return all;
 }
 
 
-Foam::List<Foam::fsbi::shapeInGap> Foam::fsbi::fluidMesh::shapes() const
+Foam::List<Foam::fsbi::surfaceInGaps> Foam::fsbi::fluidMesh::refinedSurfaces
+(
+    const bool deforming
+) const
 {
-    List<shapeInGap> result(present_.size());
+    List<shapeInGap> shapes(present_.size());
     forAll(present_, b)
     {
         const immersedBody& body = present_[b];
-        result[b].smooth = cutsDeforming() ? body.smooth() : nullptr;
+        shapes[b].smooth = deforming ? body.smooth() : nullptr;
         if (body.hasShape())
         {
-            result[b].onto = [&body](const point& p)
+            shapes[b].onto = [&body](const point& p)
             {
                 return body.onMeshedShape(p);
             };
         }
     }
-    return result;
-}
-
-
-Foam::List<Foam::fsbi::surfaceInGaps>
-Foam::fsbi::fluidMesh::refinedSurfaces() const
-{
-    return mesher_->refined(meshedSurfaces(present_), shapes(), shift());
+    return mesher_->refined(meshedSurfaces(present_), shapes, shift());
 }
 
 
@@ -105,6 +101,13 @@ Foam::string Foam::fsbi::fluidMesh::unresolved(const scalar gap) const
         return string();
     }
     const bool atWall = smallestGap(walls_) <= gap;
+    const auto whole = std::find_if
+    (
+        present_.begin(), present_.end(), [](const immersedBody& body)
+        {
+            return body.deforms() && !body.smooth();
+        }
+    );
     const bool cut = refines() && atWall;
     if (gap >= resolvedGap(cut))
     {
@@ -127,10 +130,10 @@ Foam::string Foam::fsbi::fluidMesh::unresolved(const scalar gap) const
             " system/blockMeshDict, where no triangle is cut)"
         )
       + (
-            refines() || !refines(true)
+            whole == present_.end()
           ? ""
-          : ". With 'gapSag 0.025' in system/remeshDict triangles of elastic"
-            " bodies are cut for it"
+          : ". Of elastic bodies triangles are cut for it by order 2 with the"
+            " scheme monolithic"
         );
 }
 
@@ -355,13 +358,21 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::holdsBodies()
                 tensor::I, shift() - referenceShift_
             )
         );
-        List<bodySurface> surfaces(surfacesOf(motion_->surfaces()));
-        reason = mesher_->inside(names, surfaces, walls, shift()).reason;
-        if (reason.size() && refines())
+        const auto inside = [&](const UList<surfaceInGaps>& bodies)
         {
-            // a new mesh has triangles that are cut for the gaps there now
-            surfaces = surfacesOf(refinedSurfaces());
-            reason = mesher_->inside(names, surfaces, walls, shift()).reason;
+            reason = mesher_->inside
+            (
+                names, surfacesOf(bodies), walls, shift()
+            ).reason;
+            return reason.empty();
+        };
+        // a new mesh has triangles that are cut for the gaps there now, or not
+        if (!inside(motion_->surfaces()) && refines())
+        {
+            if (!inside(refinedSurfaces(true)))
+            {
+                inside(refinedSurfaces(false));
+            }
         }
     }
     Pstream::scatter(reason);

@@ -311,8 +311,70 @@ static void checkCut(checks& c)
 }
 
 
+//- The triangles of a cube with n squares along an edge
+static bodySurface cube(const label n)
+{
+    DynamicList<point> points;
+    DynamicList<triFace> triangles;
+    const auto corner = [&](const point& p)
+    {
+        const label known = points.find(p);
+        if (known < 0)
+        {
+            points.append(p);
+        }
+        return known < 0 ? points.size() - 1 : known;
+    };
+    for (label face = 0; face < 6; ++face)
+    {
+        const direction d = face % 3, e = (d + 1) % 3, f = (d + 2) % 3;
+        const auto at = [&](const label i, const label j)
+        {
+            point p(Zero);
+            p[d] = face < 3 ? 0 : n;
+            p[e] = face < 3 ? j : i;
+            p[f] = face < 3 ? i : j;
+            return corner(p);
+        };
+        for (label i = 0; i < n; ++i)
+        {
+            for (label j = 0; j < n; ++j)
+            {
+                const label a = at(i, j), b = at(i + 1, j + 1);
+                triangles.append(triFace(a, at(i + 1, j), b));
+                triangles.append(triFace(a, b, at(i, j + 1)));
+            }
+        }
+    }
+    return bodySurface(pointField(points), List<triFace>(triangles));
+}
+
+
+//- What smooths the triangles of round bodies leaves those of a cube alone
+static void checkSharpEdges(checks& c)
+{
+    const bodySurface body(cube(4));
+    const outcome solid(body.solid("cube"));
+    c.check("cube: encloses a solid", solid.ok, solid.reason);
+    const smoothedFacets smooth(body);
+    scalar off = 0;
+    for (const triFace& t : body.triangles())
+    {
+        const facetPlace place{t, vector(0.2, 0.3, 0.5)};
+        off = max
+        (
+            off,
+            mag(smooth.at(place, 0).of(body.points()) - place.of(body.points()))
+        );
+    }
+    // bound: what is plane, and the triangles at edges, are reproduced
+    c.checkBelow("cube: faces stay plane, edges sharp", off, 1e-13);
+}
+
+
 void checkRefining(checks& c)
 {
+    checkSharpEdges(c);
     checkRedGreen(c);
     checkGapsOfSpheres(c, false);
     checkGapsOfSpheres(c, true);
