@@ -141,7 +141,10 @@ void Foam::fsbi::pointWeights::add
 }
 
 
-Foam::fsbi::smoothedFacets::smoothedFacets(const bodySurface& reference)
+Foam::fsbi::smoothedFacets::smoothedFacets
+(
+    const bodySurface& reference, const bool cornersStandOut
+)
 :
     reference_(reference),
     quadratics_(reference.points().size())
@@ -172,7 +175,10 @@ Foam::fsbi::smoothedFacets::smoothedFacets(const bodySurface& reference)
         q.neighbours = two.sortedToc();
         fit(k);
     }
-    setOutstanding();
+    if (cornersStandOut)
+    {
+        setOutstanding();
+    }
 }
 
 
@@ -248,13 +254,13 @@ void Foam::fsbi::smoothedFacets::setOutstanding()
 }
 
 
-Foam::fsbi::pointWeights Foam::fsbi::smoothedFacets::at
+template<class Add>
+void Foam::fsbi::smoothedFacets::visit
 (
-    const facetPlace& place, const scalar out
+    const facetPlace& place, const scalar out, const Add& add
 ) const
 {
     const point flat(place.of(reference_.points()));
-    pointWeights result;
     for (label c = 0; c < 3; ++c)
     {
         const scalar beta = place.shares[c];
@@ -268,7 +274,7 @@ Foam::fsbi::pointWeights Foam::fsbi::smoothedFacets::at
         {
             for (label i = 0; i < 3; ++i)
             {
-                result.add(place.corners[i], beta*place.shares[i]);
+                add(place.corners[i], beta*place.shares[i]);
             }
             continue;
         }
@@ -286,10 +292,43 @@ Foam::fsbi::pointWeights Foam::fsbi::smoothedFacets::at
             {
                 w += terms[j]*q.coeffs[j][i];
             }
-            result.add(q.neighbours[i], beta*w);
+            add(q.neighbours[i], beta*w);
             sum += w;
         }
-        result.add(k, beta*(1 - sum));
+        add(k, beta*(1 - sum));
     }
+}
+
+
+Foam::fsbi::pointWeights Foam::fsbi::smoothedFacets::at
+(
+    const facetPlace& place, const scalar out
+) const
+{
+    pointWeights result;
+    visit
+    (
+        place, out, [&](const label corner, const scalar weight)
+        {
+            result.add(corner, weight);
+        }
+    );
     return result;
+}
+
+
+Foam::point Foam::fsbi::smoothedFacets::position
+(
+    const facetPlace& place, const UList<point>& corners
+) const
+{
+    point sum(Zero);
+    visit
+    (
+        place, 0, [&](const label corner, const scalar weight)
+        {
+            sum += weight*corners[corner];
+        }
+    );
+    return sum;
 }

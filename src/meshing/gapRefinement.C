@@ -39,10 +39,10 @@ class bodyInGap
         (
             t.tri(base_.points()).pointToBarycentric(nearest)
         );
-        return shape_.smooth->at
+        return shape_.smooth->position
         (
-            {t, vector(shares.a(), shares.b(), shares.c())}, 0
-        ).of(base_.points());
+            {t, vector(shares.a(), shares.b(), shares.c())}, base_.points()
+        );
     }
 
     point onto(const point& p) const

@@ -49,7 +49,7 @@ bool Foam::fsbi::fluidMesh::refines() const
     bool all = remeshControls(remeshDict_).gapSag > 0;
     for (const immersedBody& body : present_)
     {
-        all = all && (body.hasShape() || body.smooth());
+        all = all && body.mayBeCut();
     }
     return all;
 }
@@ -64,7 +64,8 @@ Foam::List<Foam::fsbi::surfaceInGaps> Foam::fsbi::fluidMesh::refinedSurfaces
     forAll(present_, b)
     {
         const immersedBody& body = present_[b];
-        shapes[b].smooth = deforming ? body.smooth() : nullptr;
+        shapes[b].smooth =
+            deforming && body.mayBeCut() ? body.smooth() : nullptr;
         if (body.hasShape())
         {
             shapes[b].onto = [&body](const point& p)
@@ -105,7 +106,7 @@ Foam::string Foam::fsbi::fluidMesh::unresolved(const scalar gap) const
     (
         present_.begin(), present_.end(), [](const immersedBody& body)
         {
-            return body.deforms() && !body.smooth();
+            return body.deforms() && !body.mayBeCut();
         }
     );
     const bool cut = refines() && atWall;

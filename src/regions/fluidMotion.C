@@ -125,7 +125,7 @@ void Foam::fsbi::fluidMotion::setCut
     {
         return;
     }
-    if (!bodies_[bodyi].smooth())
+    if (!bodies_[bodyi].mayBeCut())
     {
         FatalErrorInFunction
             << "In the saved state the fluid's mesh cuts triangles of body '"

@@ -164,6 +164,7 @@ Foam::fsbi::wettedSurface::wettedSurface
     name_(mesh.name()),
     curved_(curved),
     mayBeCut_(mayBeCut),
+    cornersStandOut_(body.cornersStandOut(curved)),
     density_(density),
     reference_(surfaceOf(mesh)),
     fit_(reference_),
@@ -265,9 +266,9 @@ Foam::vectorField Foam::fsbi::wettedSurface::pointVelocity() const
 
 const Foam::fsbi::smoothedFacets* Foam::fsbi::wettedSurface::smooth() const
 {
-    if (mayBeCut_ && !smooth_)
+    if (!smooth_)
     {
-        smooth_.reset(new smoothedFacets(reference_));
+        smooth_.reset(new smoothedFacets(reference_, cornersStandOut_));
     }
     return smooth_.get();
 }

@@ -107,7 +107,7 @@ struct gapScene
         walls(far().points(), far().triangles())
     {
         const bodySurface sphere(shape("type sphere; radius 1;", 0.3));
-        smooth.reset(new smoothedFacets(sphere));
+        smooth.reset(new smoothedFacets(sphere, true));
         forAll(bodies, b)
         {
             const point centre(0, 0, (b ? 1 : -1)*(1 + gap/2));
@@ -356,7 +356,7 @@ static void checkSharpEdges(checks& c)
     const bodySurface body(cube(4));
     const outcome solid(body.solid("cube"));
     c.check("cube: encloses a solid", solid.ok, solid.reason);
-    const smoothedFacets smooth(body);
+    const smoothedFacets smooth(body, true);
     scalar off = 0;
     for (const triFace& t : body.triangles())
     {
@@ -372,8 +372,32 @@ static void checkSharpEdges(checks& c)
 }
 
 
+//- Corners that stand out are brought back, those on the surface stay
+static void checkCorners(checks& c)
+{
+    const bodySurface sphere(shape("type sphere; radius 1;", 0.3));
+    const smoothedFacets back(sphere, true), stay(sphere, false);
+    scalar off = 0, moved = 0;
+    forAll(sphere.points(), k)
+    {
+        const facetPlace place(facetPlace::at(k));
+        off = max(off, mag(mag(back.position(place, sphere.points())) - 1));
+        moved = max
+        (
+            moved,
+            mag(stay.position(place, sphere.points()) - sphere.points()[k])
+        );
+    }
+    // bound: they stand out by h^2/12, by up to half of it more or less where edges
+    // differ
+    c.checkBelow("corners that stand out: brought back", off, sqr(0.3)/24);
+    c.checkBelow("corners on the surface: stay", moved, 1e-13);
+}
+
+
 void checkRefining(checks& c)
 {
+    checkCorners(c);
     checkSharpEdges(c);
     checkRedGreen(c);
     checkGapsOfSpheres(c, false);

@@ -30,6 +30,7 @@ Limitations
 #include "caseInput.H"
 #include "elasticBody.H"
 #include "petscObjects.H"
+#include "surfaceCut.H"
 #include "argList.H"
 #include "OSspecific.H"
 #include "IOdictionary.H"
@@ -81,6 +82,55 @@ static word bodyName(const checkedDictionary& entries, const dictionary& bodies)
         elastic.size() == 1
       ? entries.choice("body", elastic, elastic[0])
       : entries.choice("body", elastic);
+}
+
+
+//- Does a saved state have triangles of elastic bodies that are cut in gaps?
+static bool hasCuts(const dictionary& state)
+{
+    for (const entry& e : state)
+    {
+        if (e.isDict() && hasCuts(e.dict()))
+        {
+            return true;
+        }
+        if (e.keyword() == "referenceCuts")
+        {
+            for
+            (
+                const cutTriangles& cut
+              : state.get<List<cutTriangles>>(e.keyword())
+            )
+            {
+                if (!cut.empty())
+                {
+                    return true;
+                }
+            }
+        }
+    }
+    return false;
+}
+
+
+//- How forces are spread over a triangle that is cut is not in its traction
+static void tellCuts(const Time& runTime)
+{
+    const IOdictionary state
+    (
+        IOobject
+        (
+            "fsbiState", runTime.timeName(), "uniform", runTime,
+            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
+        )
+    );
+    if (hasCuts(state))
+    {
+        Info<< "Triangles of an elastic body are cut in a gap there, and the"
+            << " saved traction is that of whole ones: constants come out"
+            << " some parts in a thousand off. Exact data has a run with"
+            << " 'gapSag 0' in its system/remeshDict." << nl << endl;
+    }
 }
 
 
@@ -229,6 +279,10 @@ int main(int argc, char *argv[])
     {
         writeShape(mesh(), data, args["shape"]);
         return 0;
+    }
+    if (!fromFile)
+    {
+        tellCuts(runTime);
     }
     const bool fromFlow = fromFile && entries.found("traction");
     if (fromFlow)
