@@ -55,29 +55,6 @@ bool Foam::fsbi::fluidMesh::refines() const
 }
 
 
-Foam::List<Foam::fsbi::surfaceInGaps> Foam::fsbi::fluidMesh::refinedSurfaces
-(
-    const bool deforming
-) const
-{
-    List<shapeInGap> shapes(present_.size());
-    forAll(present_, b)
-    {
-        const immersedBody& body = present_[b];
-        shapes[b].smooth =
-            deforming && body.mayBeCut() ? body.smooth() : nullptr;
-        if (body.hasShape())
-        {
-            shapes[b].onto = [&body](const point& p)
-            {
-                return body.onMeshedShape(p);
-            };
-        }
-    }
-    return mesher_->refined(meshedSurfaces(present_), shapes, shift());
-}
-
-
 Foam::scalar Foam::fsbi::fluidMesh::resolvedGap(const bool cut) const
 {
     if (cut)
@@ -102,18 +79,18 @@ Foam::string Foam::fsbi::fluidMesh::unresolved(const scalar gap) const
         return string();
     }
     const bool atWall = smallestGap(walls_) <= gap;
-    const auto whole = std::find_if
+    const bool cut = refines() && atWall;
+    if (gap >= resolvedGap(cut))
+    {
+        return string();
+    }
+    const bool whole = std::any_of
     (
         present_.begin(), present_.end(), [](const immersedBody& body)
         {
             return body.deforms() && !body.mayBeCut();
         }
     );
-    const bool cut = refines() && atWall;
-    if (gap >= resolvedGap(cut))
-    {
-        return string();
-    }
     return
         "A gap of " + Foam::name(gap) + " is narrower than the "
       + Foam::name(resolvedGap(cut))
@@ -131,10 +108,10 @@ Foam::string Foam::fsbi::fluidMesh::unresolved(const scalar gap) const
             " system/blockMeshDict, where no triangle is cut)"
         )
       + (
-            whole == present_.end()
-          ? ""
-          : ". Of elastic bodies triangles are cut for it by order 2 with the"
+            whole
+          ? ". Of elastic bodies triangles are cut for it by order 2 with the"
             " scheme monolithic"
+          : ""
         );
 }
 
@@ -370,7 +347,8 @@ Foam::fsbi::outcome Foam::fsbi::fluidMesh::holdsBodies()
         // a new mesh has triangles that are cut for the gaps there now, or not
         if (!inside(motion_->surfaces()) && refines())
         {
-            if (!inside(refinedSurfaces(true)))
+            const List<surfaceInGaps> cut(refinedSurfaces(true));
+            if (!inside(cut) && anyCut(cut))
             {
                 inside(refinedSurfaces(false));
             }
