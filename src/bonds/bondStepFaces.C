@@ -14,16 +14,24 @@ Foam::scalar Foam::fsbi::bondStep::smallestGap
     // an edge of one surface against an edge of the other is left out
     scalar smallest = reach;
     bool some = false;
-    currentSurfaces::nearestPoint at;
+    const auto look = [&](const label from, const label to, const materialPoint& p)
+    {
+        currentSurfaces::nearestPoint at;
+        if (surfaces_.find(to, surfaces_.position(from, p), smallest, at))
+        {
+            smallest = at.gap;
+            some = true;
+        }
+    };
     for (const label turned : {0, 1})
     {
-        for (const point& x : surfaces_.surface(turned ? b : a).points())
+        const label from = turned ? b : a, to = turned ? a : b;
+        forAll(surfaces_.surface(from).triangles(), t)
         {
-            if (surfaces_.find(turned ? a : b, x, smallest, at))
-            {
-                smallest = at.gap;
-                some = true;
-            }
+            look(from, to, materialPoint::centroid(t));
+            look(from, to, {t, 0, 0});
+            look(from, to, {t, 1, 0});
+            look(from, to, {t, 0, 1});
         }
     }
     return some ? smallest : -1;
@@ -35,7 +43,14 @@ Foam::labelList Foam::fsbi::bondStep::facesNear
     const label a, const label b, const vector& way, const scalar reach
 ) const
 {
-    const boundBox box(surfaces_.bounds(b, way, reach));
+    // what triangles stand for may be nearer than they are
+    const boundBox box
+    (
+        surfaces_.bounds
+        (
+            b, way, reach + surfaces_.standsOut(a) + surfaces_.standsOut(b)
+        )
+    );
     DynamicList<label> near;
     forAll(surfaces_.surface(a).triangles(), triangle)
     {
@@ -81,8 +96,8 @@ Foam::fsbi::bondStep::facePairs
     DynamicList<facePair> result;
     const auto addPair = [&](const label i, const label j, const vector& way)
     {
-        const point x(surfaces_.centroid(a, i));
-        const point y(surfaces_.centroid(b, j) + way);
+        const point x(surfaces_.position(a, materialPoint::centroid(i)));
+        const point y(surfaces_.position(b, materialPoint::centroid(j)) + way);
         const label n = ligands.numbers[j];
         if (n > 0 && magSqr(y - x) <= sqr(reach))
         {

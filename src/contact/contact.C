@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "contact.H"
+#include "neighbours.H"
 #include "addToRunTimeSelectionTable.H"
 
 namespace Foam
@@ -93,17 +94,7 @@ void Foam::fsbi::contact::setDivisions()
     {
         const immersedBody& body = context_.bodies[b];
         const bodySurface free(body.stressFree());
-        const scalar edge =
-            finest*Foam::sqrt(2*min(body.radius(), GREAT)*range_);
-        divisions_[b] = max
-        (
-            label(1),
-            min
-            (
-                mostDivisions,
-                label(std::ceil(free.meanEdge()/edge))
-            )
-        );
+        divisions_[b] = partsPerEdge(body, range_, finest, mostDivisions);
         for (label i = 0; body.deforms() && i < free.triangles().size(); ++i)
         {
             areas_[b].append(free.triangles()[i].mag(free.points()));

@@ -130,17 +130,7 @@ void Foam::fsbi::contact::divide
         }
         visit(f);
     };
-    for (label i = 0; i < n; ++i)
-    {
-        for (label j = 0; i + j < n; ++j)
-        {
-            part(i, j, 1);
-            if (i + j < n - 1)
-            {
-                part(i + 1, j + 1, -1);
-            }
-        }
-    }
+    materialPoint::visitParts(n, part);
 }
 
 

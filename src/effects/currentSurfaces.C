@@ -4,6 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "currentSurfaces.H"
+#include "smoothedFacets.H"
 #include "wallFacets.H"
 
 Foam::fsbi::currentSurfaces::currentSurfaces
@@ -15,7 +16,8 @@ Foam::fsbi::currentSurfaces::currentSurfaces
     surfaces_(context.bodies.size()),
     searches_(context.bodies.size()),
     velocities_(context.bodies.size()),
-    sizes_(context.bodies.size(), Zero)
+    sizes_(context.bodies.size(), Zero),
+    standsOut_(context.bodies.size(), -1)
 {}
 
 
@@ -158,6 +160,121 @@ Foam::scalar Foam::fsbi::currentSurfaces::depth
 }
 
 
+Foam::point Foam::fsbi::currentSurfaces::position
+(
+    const label surface, const materialPoint& p
+) const
+{
+    const bodySurface& s = this->surface(surface);
+    const point flat(p.on(s.points(), s.triangles()));
+    if (isWall(surface))
+    {
+        return flat;
+    }
+    const immersedBody& body = context_.bodies[surface];
+    if (body.hasShape())
+    {
+        return body.onMeshedShape(flat);
+    }
+    if (!body.smooth())
+    {
+        return flat;
+    }
+    return
+        body.smooth()->position({s.triangles()[p.triangle], p.weights()}, s.points());
+}
+
+
+Foam::vector Foam::fsbi::currentSurfaces::normal
+(
+    const label surface, const materialPoint& p
+) const
+{
+    // so little that it hardly jumps from triangle to triangle, and away from the
+    // nearest corner, which stays within this one
+    static const scalar step = 1e-5;
+
+    const vector shares(p.weights());
+    const label k = findMax(shares);
+    const point here(position(surface, p));
+    const auto towards = [&](const label corner)
+    {
+        vector moved(shares);
+        moved[k] -= step;
+        moved[corner] += step;
+        return position(surface, {p.triangle, moved[1], moved[2]}) - here;
+    };
+    return normalised(vector(towards((k + 1) % 3) ^ towards((k + 2) % 3)));
+}
+
+
+Foam::scalar Foam::fsbi::currentSurfaces::longestEdge(const label body) const
+{
+    const bodySurface& s = surface(body);
+    scalar longest = 0;
+    for (const triFace& t : s.triangles())
+    {
+        for (label i = 0; i < 3; ++i)
+        {
+            longest = max
+            (
+                longest,
+                magSqr(s.points()[t[i]] - s.points()[t[(i + 1) % 3]])
+            );
+        }
+    }
+    return Foam::sqrt(longest);
+}
+
+
+Foam::scalar Foam::fsbi::currentSurfaces::standsOut(const label surface) const
+{
+    // an eighth of edge^2/radius, and edges are shorter than radii
+    static const scalar part = 0.2;
+
+    if (isWall(surface))
+    {
+        return 0;
+    }
+    if (standsOut_[surface] < 0)
+    {
+        const immersedBody& body = context_.bodies[surface];
+        standsOut_[surface] =
+            body.hasShape() || body.smooth()
+          ? part*this->surface(surface).meanEdge() : 0;
+    }
+    return standsOut_[surface];
+}
+
+
+void Foam::fsbi::currentSurfaces::takeOut
+(
+    const label surface, const point& x, nearestPoint& c
+) const
+{
+    if (standsOut(surface) == 0)
+    {
+        return;
+    }
+    // a triangle's own normal is that of its middle, and so its nearest point is off
+    // by gap edge/radius; once more, and it is by gap/radius of that
+    for (label n = 0; n < 2; ++n)
+    {
+        nearestPoint at(c);
+        if (n > 0)
+        {
+            findImage(surface, c.way, c.nearest, GREAT, at);
+        }
+        const materialPoint p(there(surface, at));
+        const vector up(normal(surface, p));
+        c.triangle = at.triangle;
+        c.normal = (up & c.normal) < 0 ? -up : up;
+        c.gap = (x - c.way - position(surface, p)) & c.normal;
+        c.nearest = x - c.gap*c.normal;
+    }
+}
+
+
 const Foam::vectorField& Foam::fsbi::currentSurfaces::velocity
 (
     const label body
@@ -211,11 +328,22 @@ bool Foam::fsbi::currentSurfaces::find
     {
         return false;
     }
-    bool some = findImage(surface, Zero, x, reach, c);
-    for (const vector& way : context_.images)
+    bool some = false;
+    for (const vector& way : ways(false))
     {
+        const scalar within = some ? c.gap : reach;
         nearestPoint at;
-        if (findImage(surface, way, x, some ? c.gap : reach, at))
+        if (!findImage(surface, way, x, within + standsOut(surface), at))
+        {
+            continue;
+        }
+        takeOut(surface, x, at);
+        if (at.gap < 0)
+        {
+            at.gap *= -1;
+            at.normal *= -1;
+        }
+        if (at.gap <= within)
         {
             c = at;
             some = true;
@@ -306,7 +434,7 @@ Foam::fsbi::materialPoint Foam::fsbi::currentSurfaces::away
     const auto project = [&](const scalar rho)
     {
         findImage(surface, c.way, c.nearest + rho*direction, GREAT, at);
-        return mag(at.nearest - x);
+        return mag(position(surface, there(surface, at)) + c.way - x);
     };
 
     // a plane would have it at high; curved surfaces nearer or further

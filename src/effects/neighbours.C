@@ -33,20 +33,58 @@ static bool nearImage
     const label other,
     const vector& way,
     const scalar reach,
+    const bool described,
     neighbour& n
 )
 {
+    const scalar more = described ? now.standsOut(other) : 0;
     currentSurfaces::nearestPoint c;
-    if (!now.findSide(body, other, way, n.centre, reach, c))
+    if (!now.findSide(body, other, way, n.centre, reach + more, c))
     {
         return false;
+    }
+    if (described)
+    {
+        now.takeOut(other, n.centre, c);
     }
     n.gap = c.gap;
     n.normal = c.normal;
     n.nearest = c.nearest;
     n.way = way;
     n.otherTriangle = c.triangle;
-    return true;
+    return n.gap < reach;
+}
+
+
+//- Calls visit(n) with place and centre set, for a triangle or its parts
+template<class Visitor>
+static void visitPlaces
+(
+    const currentSurfaces& now,
+    const label body,
+    const label triangle,
+    const label divisions,
+    const Visitor& visit
+)
+{
+    neighbour n;
+    n.place = materialPoint::centroid(triangle);
+    n.centre = now.centroid(body, triangle);
+    if (divisions == 0)
+    {
+        visit(n);
+        return;
+    }
+    materialPoint::visitParts
+    (
+        divisions, [&](const scalar i, const scalar j, const scalar side)
+        {
+            n.place.b = (i + side/3)/divisions;
+            n.place.c = (j + side/3)/divisions;
+            n.centre = now.position(body, n.place);
+            visit(n);
+        }
+    );
 }
 
 } // End namespace fsbi
@@ -58,7 +96,8 @@ Foam::DynamicList<Foam::fsbi::neighbour> Foam::fsbi::neighbours
     const currentSurfaces& now,
     const label body,
     const label other,
-    const scalar reach
+    const scalar reach,
+    const label divisions
 )
 {
     DynamicList<neighbour> found;
@@ -66,44 +105,66 @@ Foam::DynamicList<Foam::fsbi::neighbour> Foam::fsbi::neighbours
     {
         return found;
     }
+    // no part of a triangle is farther from its centre, nor what it stands for
+    const label n = now.surface(body).triangles().size();
+    const scalar around =
+        divisions ? now.longestEdge(body) + now.standsOut(body) : 0;
     if (now.isPlane(other))
     {
-        forAll(now.surface(body).triangles(), t)
+        const domainWall& wall = now.wall(other);
+        const auto look = [&](neighbour& at)
         {
-            neighbour n;
-            n.triangle = t;
-            n.centre = now.centroid(body, t);
-            if (nearPlane(now.wall(other), reach, n))
+            if (nearPlane(wall, reach, at))
             {
-                found.append(n);
+                found.append(at);
+            }
+        };
+        for (label t = 0; t < n; ++t)
+        {
+            if (wall.distance(now.centroid(body, t)) < reach + around)
+            {
+                visitPlaces(now, body, t, divisions, look);
             }
         }
         return found;
     }
     for (const vector& way : now.ways(body == other))
     {
-        const boundBox box
-        (
-            now.bounds(other, way, reach + now.depth(body, other))
-        );
+        const scalar within = reach + now.depth(body, other) + around
+          + (divisions ? now.standsOut(other) : 0);
+        const boundBox box(now.bounds(other, way, within));
         if (!box.overlaps(now.surface(body).bounds()))
         {
             continue;
         }
-        forAll(now.surface(body).triangles(), t)
+        const auto look = [&](neighbour& at)
         {
-            neighbour n;
-            n.triangle = t;
-            n.centre = now.centroid(body, t);
-            if
-            (
-                box.contains(n.centre)
-             && nearImage(now, body, other, way, reach, n)
-            )
+            if (nearImage(now, body, other, way, reach, divisions > 0, at))
             {
-                found.append(n);
+                found.append(at);
+            }
+        };
+        for (label t = 0; t < n; ++t)
+        {
+            if (box.contains(now.centroid(body, t)))
+            {
+                visitPlaces(now, body, t, divisions, look);
             }
         }
     }
     return found;
+}
+
+
+Foam::label Foam::fsbi::partsPerEdge
+(
+    const immersedBody& body,
+    const scalar range,
+    const scalar part,
+    const label most
+)
+{
+    const scalar zone = Foam::sqrt(2*min(body.radius(), GREAT)*range);
+    const scalar parts = body.stressFree().meanEdge()/(part*zone);
+    return max(1, min(most, label(std::ceil(parts))));
 }

@@ -28,7 +28,7 @@ Foam::scalar Foam::fsbi::timeToContact
             {
                 const vector v
                 (
-                    velocity(a, n.triangle) - velocity(b, n.otherTriangle)
+                    velocity(a, n.place.triangle) - velocity(b, n.otherTriangle)
                 );
                 const scalar speed = -(v & n.normal);
                 if (speed > 0 && n.gap < shortest*speed)

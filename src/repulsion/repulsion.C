@@ -19,6 +19,11 @@ addToRunTimeSelectionTable(effect, repulsion, entries);
 //  the end of a step may lie beyond the minimum gap
 static const scalar nearest = 0.01;
 
+//- Edges of parts of triangles, in radii of the zone within the range
+static const scalar finest = 0.25;
+
+static const label mostDivisions = 16;
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -54,6 +59,10 @@ Foam::fsbi::repulsion::repulsion
     entries.found("between") ? readPairs(dict) : findAll();
     entries.finish();
     reportUnseen("Nothing is repelled from", unrepelled());
+    for (const immersedBody& body : context_.bodies)
+    {
+        divisions_.append(partsPerEdge(body, range_, finest, mostDivisions));
+    }
 
     const outcome now(acceptable());
     if (!now)
@@ -113,6 +122,15 @@ void Foam::fsbi::repulsion::readPairs(const dictionary& dict)
 }
 
 
+Foam::label Foam::fsbi::repulsion::divisions
+(
+    const label body, const label other
+) const
+{
+    return perTriangle_ || deforms(other) ? 1 : divisions_[body];
+}
+
+
 Foam::List<Foam::fsbi::unseenPatch> Foam::fsbi::repulsion::unrepelled() const
 {
     List<unseenPatch> others(context_.unseen);
@@ -136,18 +154,30 @@ void Foam::fsbi::repulsion::visit(const Visitor& visitor) const
     const scalar reach = minimumGap_ + range_;
     const auto from = [&](const label body, const label other, const scalar part)
     {
-        for (const neighbour& n : neighbours(now, body, other, reach))
+        const label parts = divisions(body, other);
+        for (const neighbour& n : neighbours(now, body, other, reach, parts))
         {
             visitor(now, n, body, other, part);
         }
     };
     for (const pair& p : pairs_)
     {
-        const bool wall = now.isWall(p[1]);
-        from(p[0], p[1], wall ? 1 : 0.5);
-        if (!wall && p[0] != p[1])      // images see each other from both sides
+        const label a = p[0], b = p[1];
+        if (now.isWall(b) || deforms(a) > deforms(b))
         {
-            from(p[1], p[0], 0.5);
+            from(a, b, 1);
+        }
+        else if (deforms(b) > deforms(a))
+        {
+            from(b, a, 1);
+        }
+        else
+        {
+            from(a, b, 0.5);
+            if (a != b)         // images see each other from both sides
+            {
+                from(b, a, 0.5);
+            }
         }
     }
 }
@@ -163,26 +193,36 @@ void Foam::fsbi::repulsion::push
     loads& l
 ) const
 {
-    const scalar k =
-        part*strength_*(perTriangle_ ? 1 : now.area(body, n.triangle));
+    const scalar area =
+        now.area(body, n.place.triangle)/sqr(scalar(divisions(body, other)));
+    const scalar k = part*strength_*(perTriangle_ ? 1 : area);
     const scalar gap = n.gap - minimumGap_;
     const scalar d = max(gap, nearest*range_);
     const scalar slope = 3/pow4(d);
-    const auto site = [&](const label on, const label tri, const point& x)
+    const auto site = [&](const label on, const materialPoint& p, const point& x)
     {
-        const bodySurface& s = now.surface(on);
-        return loads::site
-        {
-            on, tri, x - now.centre(on),
-            materialPoint::nearest(tri, x, s.points(), s.triangles()).weights()
-        };
+        return
+            loads::site{on, p.triangle, x - now.centre(on), p.weights()};
+    };
+    const auto there = [&]
+    {
+        const point x(n.nearest - n.way);
+        const bodySurface& s = now.surface(other);
+        return site
+        (
+            other,
+            materialPoint::nearest
+            (
+                n.otherTriangle, x, s.points(), s.triangles()
+            ),
+            x
+        );
     };
     l.add
     (
         {
-            site(body, n.triangle, n.centre),
-            now.isWall(other)
-          ? loads::site() : site(other, n.otherTriangle, n.nearest - n.way),
+            site(body, n.place, n.centre),
+            now.isWall(other) ? loads::site() : there(),
             k*(1/pow3(d) - 1/pow3(range_) + slope*(d - gap))*n.normal,
             k*slope*tensor(sqr(n.normal))
         }

@@ -129,12 +129,12 @@ static void checkNumbers(checks& c)
     // over a sphere of radius 8: distance from a point at height z
     testScene spheres(0.025, g0, 0.6);
     spheres.addSphere(0.05, point::max, 0.6);
-    const scalar two = meanNumber
+    const std::string onSphere
     (
-        spheres,
         "molecules { cap { A { density 1000; } } ball { B { density 1e5; } } }"
-        " pairs { " + pairText("(A B)", "", on) + "}", 1, deviation
+        " pairs { " + pairText("(A B)", "", on) + "}"
     );
+    const scalar two = meanNumber(spheres, onSphere, 1, deviation);
     const scalar between = expected
     (
         1000, 1e5, [=](scalar z)
@@ -149,6 +149,31 @@ static void checkNumbers(checks& c)
         c, "bonds between two spheres", two, between,
         sqrt(sqr(deviation) + sqr(between*rest/8/3))
     );
+
+    // bound: of the statistics alone, with edges at which triangles lose a third
+    for (const auto as : {sphereCap::sphere, sphereCap::smoothed})
+    {
+        const std::string name =
+            as == sphereCap::sphere ? ", by its shape" : ", by its smooth surface";
+        testScene coarse(0.4, g0);
+        coarse.cap->as = as;
+        coarse.addWall();
+        const scalar onPlane = meanNumber(coarse, onWall, 1, deviation);
+        checkSigma
+        (
+            c, "bonds of a coarse sphere" + name, onPlane, exact, deviation
+        );
+        testScene both(0.4, g0);
+        both.addSphere(0.4);
+        both.cap->as = as;
+        both.ball->as = as;
+        const scalar onBall = meanNumber(both, onSphere, 1, deviation);
+        checkSigma
+        (
+            c, "bonds between two coarse spheres" + name, onBall, between,
+            sqrt(sqr(deviation) + sqr(between*rest/8/3))
+        );
+    }
 
     testScene post(0.025, g0, 0.6);
     post.addRoundWall(0.05, 0.6);

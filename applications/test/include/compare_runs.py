@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compare the histories of two runs, and the fields of one time folder.
 
-    compare_runs.py case case [--tolerance 1e-10] [--fields TIME] [--only path]
-        [--but end] [--upTo TIME]
+    compare_runs.py case case [--tolerance 1e-10] [--fields TIME]
+        [--only path ...] [--but end] [--upTo TIME]
 
 The difference is relative to the largest number of a table; of forces, and of
 torques, to the largest of all bodies, as on free bodies they nearly cancel.
@@ -47,7 +47,7 @@ def main():
     parser.add_argument("cases", nargs=2)
     parser.add_argument("--tolerance", type=float, default=1e-10)
     parser.add_argument("--fields", help="these must be equal to the last bit")
-    parser.add_argument("--only", default="bodies/")
+    parser.add_argument("--only", nargs="+", default=["bodies/"])
     parser.add_argument("--but", help="leave out tables whose name ends so")
     parser.add_argument("--upTo", type=float, default=np.inf, help="the last time compared")
     options = parser.parse_args()
@@ -60,7 +60,7 @@ def main():
         for case in options.cases
     ]
     compared, others = [
-        [p for p in history.paths() if p.startswith(options.only)
+        [p for p in history.paths() if p.startswith(tuple(options.only))
          and not (options.but and p.endswith(options.but))]
         for history in (first, second)
     ]

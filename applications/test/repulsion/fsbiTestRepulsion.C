@@ -118,11 +118,81 @@ static void checkMeshes(checks& c)
 }
 
 
+//- On triangles as wide as the range: the largest error, relative, with the upper
+//  sphere in several directions from the lower one
+static scalar worst(twoSpheres& scene)
+{
+    const point centre(scene.sphere(0).centre);
+    const point above(scene.sphere(1).centre);
+    scalar error = 0;
+    for (label i = 0; i < 8; ++i)
+    {
+        const scalar z = 0.125 + 0.25*(i % 4), angle = 2.4*i;
+        const scalar r = Foam::sqrt(1 - sqr(z));
+        const vector way(r*Foam::cos(angle), r*Foam::sin(angle), z);
+        scene.sphere(1).centre = centre + mag(above - centre)*way;
+        const loads::onBodies sum
+        (
+            scene.acting(scene.make(pressure + spheresOnly)()).forces()
+        );
+        const vector force(linear(sum.whole[0]));
+        error = max(error, mag(force/exactForce() + way));
+    }
+    scene.sphere(1).centre = above;
+    return error;
+}
+
+
+static void checkDescribed(checks& c)
+{
+    const scalar size = 0.4;
+    twoSpheres scene(size, gap);
+    const scalar byTriangles = worst(scene);
+    scene.sphere(0).isSphere = scene.sphere(1).isSphere = true;
+    const scalar error = worst(scene);
+    Info<< "    described spheres, edges of " << size << ": off by " << error
+        << ", their triangles by " << byTriangles << endl;
+
+    // bound: the nearest point is taken above that of the triangles, whose normals
+    // are off by size/sqrt(3) R at corners, so it is off by gap times that and the
+    // distance by its square over 2 R; the law falls by 3/(gap - minimumGap). Parts
+    // are fine enough for 2 %
+    const scalar R = twoSpheres::lower;
+    const scalar distance = sqr(gap*size/R)/(6*R);
+    c.checkBelow
+    (
+        "described spheres: the integral over them", error,
+        3/(gap - minimumGap)*distance + 0.02
+    );
+    c.check
+    (
+        "described spheres: their triangles are farther off", byTriangles > 2*error
+    );
+    // parts have edges of 0.22, so a middle within 0.13 of the gap, which is 0.013
+    // wider there
+    const auto accepted = [&](const scalar minimumGap)
+    {
+        return scene.make
+        (
+            "range 0.4; strength 0; minimumGap " + std::to_string(minimumGap)
+          + "; " + spheresOnly
+        );
+    };
+    c.check("described spheres: less than the gap is accepted", bool(accepted(0.95*gap)));
+    c.checkFatal
+    (
+        "described spheres: more than the gap is refused",
+        [&]{ accepted(1.1*gap); }, "less than minimumGap"
+    );
+}
+
+
 static void checkBalance(checks& c)
 {
     for (const std::string& form : {pressure, pointForce})
     {
-        const twoSpheres scene(0.16, gap);
+        twoSpheres scene(0.16, gap);
+        scene.sphere(1).isSphere = true;
         const loads l(scene.acting(scene.make(form + spheresOnly)()));
         vector force(Zero), torque(Zero);
         scalar size = 0;
@@ -133,7 +203,7 @@ static void checkBalance(checks& c)
         const loads::onBodies sum(l.forces());
         for (label i = 0; i < 2; ++i)
         {
-            const point centre(const_cast<twoSpheres&>(scene).sphere(i).centre);
+            const point centre(scene.sphere(i).centre);
             force += linear(sum.whole[i]);
             torque += angular(sum.whole[i]) + (centre ^ linear(sum.whole[i]));
         }
@@ -370,6 +440,7 @@ int main()
 {
     checks c;
     checkMeshes(c);
+    checkDescribed(c);
     checkBalance(c);
     checkDerivative(c, "pressure: derivative", pressure, 0.2);
     checkDerivative(c, "point forces: derivative", pointForce, 0.2);
