@@ -84,16 +84,22 @@ def collisions():
               f"part {part:.4f}, {len(run.time())} steps")
 
 
-def facet_error(h):
-    """bound: of the gap at rest, for equilateral triangles of edges h.
+def mesh_error(edge, gap):
+    """bound: of the gap at rest, for equilateral triangles on the sphere.
 
-    The gap of a triangle's centre is the mean gap of the sphere over the
-    triangle. So the pressure p there lacks p'' s^2 h^2/48 of the sphere's mean
-    pressure, s = rho/R being the slope. Over all zones, of area 2 pi R dd
-    and slope s^2 = 2 (d - d0)/R, that is a force of 2 pi p(d0) h^2/24, or h^2/24R
-    less gap. Half as much again for higher terms and unequal edges.
+    Their area is that of flat ones that enclose the sphere's volume: with slopes
+    of r/R from their middles, of mean square edge^2/12 R^2, it is edge^2/24 R^2 too
+    large. The law is taken at the middles of parts of edges h, by which an integral
+    of p over a plane is off by h^2/48 of that of its Laplacian, which is the slope
+    at the border of the zone within the range: -3 b/range^4 times r/R. Half as much
+    again for higher terms and unequal edges.
     """
-    return 1.5 * h**2 / (24 * RADIUS)
+    d = gap - MINIMUM
+    h = edge / np.ceil(edge / (0.25 * np.sqrt(2 * RADIUS * RANGE)))
+    border = 2 * np.pi * 2 * (RANGE - d) * 3 * STRENGTH / RANGE**4
+    force = FORCE * edge**2 / (24 * RADIUS**2) + border * h**2 / 48
+    stiffness = 2 * np.pi * RADIUS * STRENGTH * (1 / d**3 - 1 / RANGE**3)
+    return 1.5 * force / stiffness
 
 
 def height(name):
@@ -112,13 +118,13 @@ def pressed():
             results.add(f"rest_{folder[5:]}", other, gap, 1e-3, seconds=run.seconds,
                         cells=run.cells)
     if quick:
-        results.add("rest_gap_edge1.2", gap, exact, facet_error(1.2) / exact, seconds=base.seconds,
-                    cells=base.cells)
+        results.add("rest_gap_edge1.2", gap, exact, mesh_error(1.2, exact) / exact,
+                    seconds=base.seconds, cells=base.cells)
         return
     found = [height(name) for name in EDGES]
     errors = [abs(gap - exact) / exact for _, gap in found]
     for (name, h), (run, gap) in zip(EDGES.items(), found):
-        results.add(f"rest_gap_edge{h}", gap, exact, facet_error(h) / exact,
+        results.add(f"rest_gap_edge{h}", gap, exact, mesh_error(h, exact) / exact,
                     seconds=run.seconds, cells=run.cells)
     orders = plots.convergence("rest.png", list(EDGES.values()), {"gap": errors},
                                xlabel="edge of the triangles (µm)",
