@@ -26,12 +26,20 @@ Foam::scalar Foam::fsbi::bondStep::smallestGap
     for (const label turned : {0, 1})
     {
         const label from = turned ? b : a, to = turned ? a : b;
-        forAll(surfaces_.surface(from).triangles(), t)
+        const bodySurface& s = surfaces_.surface(from);
+        boolList seen(s.points().size(), false);
+        forAll(s.triangles(), t)
         {
             look(from, to, materialPoint::centroid(t));
-            look(from, to, {t, 0, 0});
-            look(from, to, {t, 1, 0});
-            look(from, to, {t, 0, 1});
+            for (label k = 0; k < 3; ++k)
+            {
+                bool& corner = seen[s.triangles()[t][k]];
+                if (!corner)
+                {
+                    look(from, to, {t, scalar(k == 1), scalar(k == 2)});
+                    corner = true;
+                }
+            }
         }
     }
     return some ? smallest : -1;
@@ -94,10 +102,11 @@ Foam::fsbi::bondStep::facePairs
     }
 
     DynamicList<facePair> result;
-    const auto addPair = [&](const label i, const label j, const vector& way)
+    const auto addPair = [&]
+    (
+        const label i, const point& x, const label j, const point& y
+    )
     {
-        const point x(surfaces_.position(a, materialPoint::centroid(i)));
-        const point y(surfaces_.position(b, materialPoint::centroid(j)) + way);
         const label n = ligands.numbers[j];
         if (n > 0 && magSqr(y - x) <= sqr(reach))
         {
@@ -108,11 +117,18 @@ Foam::fsbi::bondStep::facePairs
     for (const vector& way : surfaces_.ways(false))
     {
         const labelList others(facesNear(b, a, -way, reach));
+        pointField places(others.size());
+        forAll(others, j)
+        {
+            places[j] =
+                surfaces_.position(b, materialPoint::centroid(others[j])) + way;
+        }
         for (const label i : facesNear(a, b, way, reach))
         {
-            for (const label j : others)
+            const point x(surfaces_.position(a, materialPoint::centroid(i)));
+            forAll(others, j)
             {
-                addPair(i, j, way);
+                addPair(i, x, others[j], places[j]);
             }
         }
     }

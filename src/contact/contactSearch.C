@@ -13,16 +13,6 @@ namespace fsbi
 //- Step of the difference for a shape's normal, in radii: an error of 1e-8
 static const scalar small = 1e-4;
 
-static scalar longestEdge(const bodySurface& s, const label triangle)
-{
-    const triFace& t = s.triangles()[triangle];
-    const point& a = s.points()[t[0]];
-    const point& b = s.points()[t[1]];
-    const point& c = s.points()[t[2]];
-    return Foam::sqrt(max(magSqr(a - b), max(magSqr(b - c), magSqr(c - a))));
-}
-
-
 //- Normal of a body's described shape at a point of it
 static vector normalOf(const immersedBody& body, const point& on)
 {
@@ -153,7 +143,7 @@ void Foam::fsbi::contact::search
     scalarField near(s.triangles().size());
     forAll(near, t)
     {
-        near[t] = reach + longestEdge(s, t);
+        near[t] = reach + now.longestEdge(body, t);
     }
     const auto searchImage = [&](const vector& way, const boundBox& around)
     {

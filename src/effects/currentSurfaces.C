@@ -208,22 +208,17 @@ Foam::vector Foam::fsbi::currentSurfaces::normal
 }
 
 
-Foam::scalar Foam::fsbi::currentSurfaces::longestEdge(const label body) const
+Foam::scalar Foam::fsbi::currentSurfaces::longestEdge
+(
+    const label body, const label triangle
+) const
 {
     const bodySurface& s = surface(body);
-    scalar longest = 0;
-    for (const triFace& t : s.triangles())
-    {
-        for (label i = 0; i < 3; ++i)
-        {
-            longest = max
-            (
-                longest,
-                magSqr(s.points()[t[i]] - s.points()[t[(i + 1) % 3]])
-            );
-        }
-    }
-    return Foam::sqrt(longest);
+    const triFace& t = s.triangles()[triangle];
+    const point& a = s.points()[t[0]];
+    const point& b = s.points()[t[1]];
+    const point& c = s.points()[t[2]];
+    return Foam::sqrt(max(magSqr(a - b), max(magSqr(b - c), magSqr(c - a))));
 }
 
 
@@ -329,13 +324,13 @@ bool Foam::fsbi::currentSurfaces::find
         return false;
     }
     bool some = false;
-    for (const vector& way : ways(false))
+    const auto look = [&](const vector& way)
     {
         const scalar within = some ? c.gap : reach;
         nearestPoint at;
         if (!findImage(surface, way, x, within + standsOut(surface), at))
         {
-            continue;
+            return;
         }
         takeOut(surface, x, at);
         if (at.gap < 0)
@@ -348,6 +343,11 @@ bool Foam::fsbi::currentSurfaces::find
             c = at;
             some = true;
         }
+    };
+    look(Zero);
+    for (const vector& way : context_.images)
+    {
+        look(way);
     }
     return some;
 }

@@ -107,8 +107,11 @@ Foam::DynamicList<Foam::fsbi::neighbour> Foam::fsbi::neighbours
     }
     // no part of a triangle is farther from its centre, nor what it stands for
     const label n = now.surface(body).triangles().size();
-    const scalar around =
-        divisions ? now.longestEdge(body) + now.standsOut(body) : 0;
+    scalar around = 0;
+    for (label t = 0; divisions > 0 && t < n; ++t)
+    {
+        around = max(around, now.longestEdge(body, t) + now.standsOut(body));
+    }
     if (now.isPlane(other))
     {
         const domainWall& wall = now.wall(other);
