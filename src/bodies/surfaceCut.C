@@ -4,6 +4,9 @@ SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceCut.H"
+#include "HashSet.H"
+
+#include <Eigen/Dense>
 
 namespace Foam
 {
@@ -25,6 +28,40 @@ static scalar shareOf
         );
     };
     return at(0) & (at(1) ^ at(2));
+}
+
+//- Weights of triangles for the value at a point nearby, by a linear fit in which
+//  the nearest count most
+static pointWeights fitted
+(
+    const point& x, const labelList& triangles, const pointField& centres
+)
+{
+    const label n = triangles.size();
+    scalar unit = 0;
+    for (const label t : triangles)
+    {
+        unit = max(unit, mag(centres[t] - x));
+    }
+    Eigen::MatrixX4d A(n, 4);
+    Eigen::VectorXd counts(n);
+    for (label i = 0; i < n; ++i)
+    {
+        const vector d((centres[triangles[i]] - x)/unit);
+        counts[i] = 1/magSqr(d);
+        A.row(i) = counts[i]*Eigen::RowVector4d(1, d.x(), d.y(), d.z());
+    }
+    // of centres in a plane through x nothing is asked beyond it
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> fit;
+    fit.setThreshold(1e-8);
+    fit.compute(A);
+    const Eigen::RowVectorXd row(fit.pseudoInverse().row(0));
+    pointWeights result{triangles, scalarList(n)};
+    for (label i = 0; i < n; ++i)
+    {
+        result.weights[i] = row[i]*counts[i];
+    }
+    return result;
 }
 
 } // End namespace fsbi
@@ -70,6 +107,7 @@ Foam::fsbi::surfaceCut::surfaceCut
     {
         setWeights(body);
         setShares();
+        setFromTriangles(body.reference());
     }
 }
 
@@ -109,6 +147,44 @@ void Foam::fsbi::surfaceCut::setShares()
 }
 
 
+void Foam::fsbi::surfaceCut::setFromTriangles(const bodySurface& body)
+{
+    labelHashSet wanted;
+    for (const label t : cut_.parents)
+    {
+        wanted.insert(own_[t]);
+    }
+    for (const pointWeights& w : weights_)
+    {
+        wanted.insert(w.points);
+    }
+    List<DynamicList<label>> around(nPoints_);
+    pointField centres(own_.size());
+    forAll(own_, t)
+    {
+        centres[t] = own_[t].centre(body.points());
+        for (const label p : own_[t])
+        {
+            around[p].append(t);
+        }
+    }
+    fromTriangles_.setSize(nPoints_);
+    for (const label p : wanted)
+    {
+        // two rings
+        labelHashSet near;
+        for (const label t : around[p])
+        {
+            for (const label q : own_[t])
+            {
+                near.insert(around[q]);
+            }
+        }
+        fromTriangles_[p] = fitted(body.points()[p], near.sortedToc(), centres);
+    }
+}
+
+
 Foam::vectorField Foam::fsbi::surfaceCut::points(const vectorField& body) const
 {
     if (empty())
@@ -126,21 +202,26 @@ Foam::vectorField Foam::fsbi::surfaceCut::points(const vectorField& body) const
 
 Foam::vectorField Foam::fsbi::surfaceCut::faces
 (
-    const vectorField& triangles, const vectorField& points
+    const vectorField& triangles
 ) const
 {
     if (empty())
     {
         return triangles;
     }
-    const vectorField corners(this->points(points));
+    vectorField own(nPoints_, Zero);
+    forAll(own, p)
+    {
+        own[p] = fromTriangles_[p].of(triangles);
+    }
+    const vectorField corners(points(own));
     vectorField result(cut_.triangles.size());
     forAll(result, i)
     {
         const label t = cut_.parents[i];
         result[i] =
             cut_.triangles[i].average(corners, corners)
-          + triangles[t] - own_[t].average(points, points);
+          + triangles[t] - own_[t].average(own, own);
     }
     return result;
 }
@@ -167,45 +248,26 @@ Foam::vectorField Foam::fsbi::surfaceCut::onTriangles
     {
         return parts;
     }
+    vectorField corners(weights_.size(), Zero);
+    vectorField own(nPoints_, Zero);
     vectorField result(own_.size(), Zero);
     forAll(parts, i)
     {
-        result[cut_.parents[i]] += parts[i];
-    }
-    return result;
-}
-
-
-Foam::vectorField Foam::fsbi::surfaceCut::onPoints
-(
-    const vectorField& parts
-) const
-{
-    vectorField result;
-    if (empty())
-    {
-        return result;
-    }
-    vectorField corners(weights_.size(), Zero);
-    result.setSize(nPoints_, Zero);
-    forAll(parts, i)
-    {
-        for (const label p : cut_.triangles[i])
+        const label t = cut_.parents[i];
+        result[t] += parts[i];
+        for (label k = 0; k < 3; ++k)
         {
-            corners[p] += parts[i]/3;
-        }
-        for (const label p : own_[cut_.parents[i]])
-        {
-            result[p] -= parts[i]/3;
+            corners[cut_.triangles[i][k]] += parts[i]/3;
+            own[own_[t][k]] -= parts[i]/3;
         }
     }
     forAll(corners, p)
     {
-        const pointWeights& w = weights_[p];
-        forAll(w.points, i)
-        {
-            result[w.points[i]] += w.weights[i]*corners[p];
-        }
+        weights_[p].spread(corners[p], own);
+    }
+    forAll(own, p)
+    {
+        fromTriangles_[p].spread(own[p], result);
     }
     return result;
 }

@@ -200,10 +200,6 @@ Foam::fsbi::outcome Foam::fsbi::couplingScheme::finish
     outcome taken;
     for (label e = 0; taken && e < solids_.size(); ++e)
     {
-        elastic_[e]->addMoments
-        (
-            elastic_[e]->fluidForces(fluid_.traction()), cells[e], others[e]
-        );
         taken = solids_[e].finish(fluidForce(e), others[e], cells[e]);
     }
     return taken;

@@ -153,9 +153,8 @@ void Foam::fsbi::coupledSystem::addSurfaceForces
     forAll(elastic_, e)
     {
         const elasticRows& body = *elastic_[e];
-        const vectorField onParts(body.fluidForces(traction_));
-        vectorField force(body.surfaceForce(onParts)), cells;
-        body.addMoments(onParts, cells, force);
+        vectorField force(body.surfaceForce(body.fluidForces(traction_)));
+        vectorField cells;
         const label bodyi = bodies_->size() + e;
         if (effects_)
         {
@@ -163,7 +162,7 @@ void Foam::fsbi::coupledSystem::addSurfaceForces
         }
         if (effects_ && load.points[bodyi].size())
         {
-            cells.resize(body.volumes.size(), Zero);
+            cells.setSize(body.volumes.size(), Zero);
             body.addPointForces(load.points[bodyi], cells, force);
         }
         vector* row = layout_.displacement(e, r);

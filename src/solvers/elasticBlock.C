@@ -21,7 +21,23 @@ Foam::fsbi::elasticBlock::elasticBlock
     stokes_(momentum.viscous()),
     firstRow_(firstRow),
     pressure_(elastic_.state().mixed() ? stencil_.vertices().size() : 0, Zero)
-{}
+{
+    setFaceRows();
+}
+
+
+void Foam::fsbi::elasticBlock::setFaceRows()
+{
+    faceRow_ = labelList(body_.solid.faces.size(), -1);
+    forAll(faceRow_, i)
+    {
+        const auto kind = elastic_.boundary().kinds()[body_.solid.faces[i]];
+        if (kind != solidBoundary::displacement)
+        {
+            faceRow_[i] = stencil_.nCells() + nFaceRows_++;
+        }
+    }
+}
 
 
 Foam::scalar Foam::fsbi::elasticBlock::halfCoeff(const label ghost) const
@@ -49,7 +65,8 @@ Foam::label Foam::fsbi::elasticBlock::solidCell(const label i) const
 
 void Foam::fsbi::elasticBlock::setSurface(const globalIndex& rows)
 {
-    // columns and coefficients by number; doubles hold columns exactly
+    // coefficients and columns by number, the body's plus one; doubles hold them
+    // exactly
     vectorField fluid(body_.fluid.nFaces, Zero);
     vectorField solid(body_.solid.nFaces, Zero);
     forAll(body_.fluid.faces, i)
@@ -60,36 +77,25 @@ void Foam::fsbi::elasticBlock::setSurface(const globalIndex& rows)
     }
     forAll(body_.solid.faces, i)
     {
-        const label b = body_.solid.faces[i];
-        const bool held =
-            elastic_.boundary().kinds()[b] == solidBoundary::displacement;
-        solid[body_.solid.faceNumbers[i]] = vector
-        (
-            held ? 0 : halfCoeff(stencil_.ghostOf()[b]),
-            rows.toGlobal(firstRow_ + solidCell(b)), 0
-        );
+        if (faceRow_[i] >= 0)
+        {
+            solid[body_.solid.faceNumbers[i]].x() =
+                rows.toGlobal(firstRow_ + faceRow_[i]) + 1;
+        }
     }
     surfaceSide::sum(fluid);
     surfaceSide::sum(solid);
     const label n = fluid.size();
     fluidK_ = fluid.component(vector::X);
-    solidK_.setSize(n);
-    springK_ = scalarField(n, Zero);
     fluidColumn_.setSize(n);
-    solidColumn_.setSize(n);
+    faceColumn_.setSize(n);
     parts_ = labelListList(solid.size());
     forAll(fluid, i)
     {
         const label t = body_.cut.parent(i);
-        const scalar share = body_.cut.share(i);
         parts_[t].append(i);
-        solidK_[i] = share*solid[t].x();
-        if (body_.springs.size())
-        {
-            springK_[i] = share*body_.springs[t]/body_.velocityCoeff;
-        }
         fluidColumn_[i] = label(fluid[i].y() + 0.5);
-        solidColumn_[i] = label(solid[t].y() + 0.5);
+        faceColumn_[i] = label(solid[t].x() + 0.5) - 1;
     }
 }
 
@@ -133,43 +139,44 @@ void Foam::fsbi::elasticBlock::addBody
 }
 
 
-void Foam::fsbi::elasticBlock::addLinks
+void Foam::fsbi::elasticBlock::addFaces
 (
     const globalIndex& rows, compactEntries& entries
 ) const
 {
-    const auto series = [this](const label number)
-    {
-        return fluidK_[number]*solidK_[number]/sumK(number);
-    };
-    const auto hold = [&](const label row, const scalar K, const label number)
-    {
-        entries.add(row, row, K*springK_[number]/sumK(number));
-    };
     forAll(body_.fluid.faces, i)
     {
         const label number = body_.fluid.faceNumbers[i];
-        if (solidK_[number] > 0)
+        if (faceColumn_[number] >= 0)
         {
-            // instead of a wall's coefficient
-            const label row =
-                rows.toGlobal(fluidCell(body_.fluid.faces[i]));
-            entries.add(row, row, -fluidK_[number]);
-            entries.link(row, solidColumn_[number], series(number));
-            hold(row, fluidK_[number], number);
+            // its diagonal has the wall's coefficient already
+            entries.add
+            (
+                rows.toGlobal(fluidCell(body_.fluid.faces[i])),
+                faceColumn_[number], -fluidK_[number]
+            );
         }
     }
     forAll(body_.solid.faces, i)
     {
-        const label row =
-            rows.toGlobal(firstRow_ + solidCell(body_.solid.faces[i]));
-        for (const label number : parts_[body_.solid.faceNumbers[i]])
+        if (faceRow_[i] < 0)
         {
-            if (solidK_[number] > 0)
-            {
-                entries.link(row, fluidColumn_[number], series(number));
-                hold(row, solidK_[number], number);
-            }
+            continue;
+        }
+        const label b = body_.solid.faces[i];
+        const label t = body_.solid.faceNumbers[i];
+        const label row = rows.toGlobal(firstRow_ + faceRow_[i]);
+        const label cell = rows.toGlobal(firstRow_ + solidCell(b));
+        const scalar K = halfCoeff(stencil_.ghostOf()[b]);
+        entries.link(row, cell, K);
+        entries.link(cell, row, K);
+        for (const label number : parts_[t])
+        {
+            entries.link(row, fluidColumn_[number], fluidK_[number]);
+        }
+        if (body_.springs.size())
+        {
+            entries.add(row, row, body_.springs[t]/body_.velocityCoeff);
         }
     }
 }
@@ -185,14 +192,14 @@ void Foam::fsbi::elasticBlock::addEntries
     spin_ = sphereResistance(body_, momentum_).spin;
     setSurface(rows);
     addBody(rows, entries);
-    addLinks(rows, entries);
+    addFaces(rows, entries);
 }
 
 
 Foam::scalar Foam::fsbi::elasticBlock::room() const
 {
     const solidMaterial& law = elastic_.state().material();
-    if (law.flows() || max(solidK_) <= 0)
+    if (law.flows() || max(faceColumn_) < 0)
     {
         return 0;
     }
@@ -256,7 +263,7 @@ void Foam::fsbi::elasticBlock::begin
     }
     addPressures(r, z, rhs, force);
     turn(fluidPressure, cells);
-    share(force, fluidPressure, rhs);
+    push(force, fluidPressure, rhs);
 }
 
 
@@ -297,63 +304,47 @@ void Foam::fsbi::elasticBlock::turn
 }
 
 
-void Foam::fsbi::elasticBlock::share
+void Foam::fsbi::elasticBlock::push
 (
     const vectorField& force, const scalarList& fluidPressure, vectorField& rhs
 ) const
 {
     const fvMesh& mesh = stokes_.stencil().mesh();
     const label n = body_.fluid.nFaces;
-    vectorField sums(3*n, Zero);
-    forAll(body_.solid.faces, i)
-    {
-        for (const label number : parts_[body_.solid.faceNumbers[i]])
-        {
-            sums[number] =
-                body_.cut.share(number)
-               *force[stencil_.ghostOf()[body_.solid.faces[i]]];
-        }
-    }
+    vectorField sums(2*n, Zero);
     forAll(body_.fluid.faces, i)
     {
         const label b = body_.fluid.faces[i];
-        sums[n + body_.fluid.faceNumbers[i]] =
-            fluidPressure[fluidCell(b)]
-           *mesh.faceAreas()[mesh.nInternalFaces() + b];
-        sums[2*n + body_.fluid.faceNumbers[i]] =
-            mesh.faceCentres()[mesh.nInternalFaces() + b];
-    }
-    surfaceSide::sum(sums);
-    places_ = SubField<vector>(sums, n, 2*n);
-    push_.setSize(n);
-    forAll(push_, i)
-    {
-        push_[i] =
-            sums[i] + sums[n + i] - fluidK_[i]*turning(places_[i]);
-    }
-
-    forAll(body_.fluid.faces, i)
-    {
         const label number = body_.fluid.faceNumbers[i];
-        if (solidK_[number] > 0)
+        const label facei = mesh.nInternalFaces() + b;
+        const point& place = mesh.faceCentres()[facei];
+        const vector turned(fluidK_[number]*turning(place));
+        sums[number] = place;
+        sums[n + number] =
+            fluidPressure[fluidCell(b)]*mesh.faceAreas()[facei] - turned;
+        if (faceColumn_[number] >= 0)
         {
-            rhs[fluidCell(body_.fluid.faces[i])] +=
-                fluidK_[number]
-               *(
-                    push_[number]/sumK(number)
-                  + turning(places_[number])
-                );
+            rhs[fluidCell(b)] += turned;
         }
     }
+    surfaceSide::sum(sums);
+
+    places_ = pointField(body_.solid.faces.size(), Zero);
     forAll(body_.solid.faces, i)
     {
+        if (faceRow_[i] < 0)
+        {
+            continue;
+        }
+        const label b = body_.solid.faces[i];
+        const vector& ghost = force[stencil_.ghostOf()[b]];
+        vector& surface = rhs[firstRow_ + faceRow_[i]];
+        surface = ghost;
+        rhs[firstRow_ + solidCell(b)] -= ghost;
         for (const label number : parts_[body_.solid.faceNumbers[i]])
         {
-            if (solidK_[number] > 0)
-            {
-                rhs[firstRow_ + solidCell(body_.solid.faces[i])] +=
-                    solidK_[number]/sumK(number)*push_[number] - sums[number];
-            }
+            surface += sums[n + number];
+            places_[i] += body_.cut.share(number)*sums[number];
         }
     }
 }
@@ -377,39 +368,22 @@ void Foam::fsbi::elasticBlock::end
     elastic_.boundary().followCells(u);
     elastic_.followCells(r, UList<vector>(u, nCells), z);
 
-    vectorField pulled(push_.size(), Zero);
-    forAll(body_.fluid.faces, i)
-    {
-        const label number = body_.fluid.faceNumbers[i];
-        pulled[number] =
-            fluidK_[number]*velocity[fluidCell(body_.fluid.faces[i])];
-    }
-    surfaceSide::sum(pulled);
     forAll(body_.solid.faces, i)
     {
+        if (faceRow_[i] < 0)
+        {
+            continue;
+        }
         const label b = body_.solid.faces[i];
-        const vector& vs = velocity[firstRow_ + solidCell(b)];
-        vector vb(Zero);
-        bool moves = false;
-        for (const label number : parts_[body_.solid.faceNumbers[i]])
-        {
-            const scalar K = solidK_[number];
-            if (K > 0)
-            {
-                moves = true;
-                vb +=
-                    body_.cut.share(number)
-                   *(
-                        (K*vs + pulled[number] + push_[number])/sumK(number)
-                      + turning(places_[number])
-                    );
-            }
-        }
-        if (moves)
-        {
-            u[nCells + stencil_.ghostOf()[b]] =
-                (2*vb - vs - turning(cells_[solidCell(b)]))
-               /body_.velocityCoeff;
-        }
+        const label cell = solidCell(b);
+        const vector surface
+        (
+            velocity[firstRow_ + faceRow_[i]] + turning(places_[i])
+        );
+        u[nCells + stencil_.ghostOf()[b]] =
+            (
+                2*surface - velocity[firstRow_ + cell]
+              - turning(cells_[cell])
+            )/body_.velocityCoeff;
     }
 }

@@ -216,16 +216,3 @@ Foam::vectorField Foam::fsbi::elasticRows::surfaceForce
     solid.spreadFaces(cut.onTriangles(fluidForces), onFaces);
     return onFaces;
 }
-
-
-void Foam::fsbi::elasticRows::addMoments
-(
-    const vectorField& fluidForces, vectorField& cells, vectorField& faces
-) const
-{
-    if (!cut.empty())
-    {
-        cells.resize(volumes.size(), Zero);
-        addPointForces(cut.onPoints(fluidForces), cells, faces);
-    }
-}

@@ -64,6 +64,12 @@ def no_more(history):
     return []
 
 
+def few_iterations(history):
+    cost = history["cost"]
+    # bound: asked for at any stiffness, a correction
+    return [("iterations", (cost["iterations"] / cost["corrections"]).max(), "<", 100)]
+
+
 def read(folder):
     return History(f"{folder}/postProcessing/history.h5")
 
@@ -112,12 +118,23 @@ def stretch150():
 def soft_above_wall():
     scene = one(Flow("shear", RATE, floor=True),
                 soft(0.1, nu=0.3, position=(0, -15.5, 0), tether={}), step=0.01 / RATE, steps=4)
+    return scene, few_iterations
 
-    def more(history):
-        cost = history["cost"]
-        # bound: asked for at any stiffness, a correction
-        return [("iterations", (cost["iterations"] / cost["corrections"]).max(), "<", 100)]
-    return scene, more
+
+def nearly_touching(r):
+    """Two spheres, triangles between them cut, mu/(G dt) = r"""
+    scene = Scene(Flow("shear", RATE), step=0.1 / r / RATE, steps=2)
+    for name, x in ("a", -4.05), ("b", 4.05):
+        scene.add(soft(0.1, name=name, position=(x, 0, 0)))
+    return scene, few_iterations
+
+
+for power in (1, 3, 5):
+    def make(power=power):
+        return nearly_touching(10.0**power)
+    make.__name__ = f"nearlyTouching1e{power}"
+    case("two soft bodies 0.025 radii apart, mu/(G dt) = 1e%d: few iterations" % power,
+         quick=power == 5)(make)
 
 
 def incompressible(nu):

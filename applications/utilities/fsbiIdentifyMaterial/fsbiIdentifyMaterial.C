@@ -30,7 +30,6 @@ Limitations
 #include "caseInput.H"
 #include "elasticBody.H"
 #include "petscObjects.H"
-#include "surfaceCut.H"
 #include "argList.H"
 #include "OSspecific.H"
 #include "IOdictionary.H"
@@ -82,33 +81,6 @@ static word bodyName(const checkedDictionary& entries, const dictionary& bodies)
         elastic.size() == 1
       ? entries.choice("body", elastic, elastic[0])
       : entries.choice("body", elastic);
-}
-
-
-//- How forces are spread over a triangle that is cut is not in its traction
-static void tellCuts(const Time& runTime)
-{
-    const IOdictionary state
-    (
-        IOobject
-        (
-            "fsbiState", runTime.timeName(), "uniform", runTime,
-            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
-        )
-    );
-    const auto cuts = state.subOrEmptyDict("fluidMesh")
-       .getOrDefault<List<cutTriangles>>("referenceCuts", {});
-    for (const cutTriangles& cut : cuts)
-    {
-        if (!cut.empty())
-        {
-            Info<< "Triangles of an elastic body are cut in a gap there, and"
-                << " the saved traction is that of whole ones: constants come"
-                << " out up to some per cent off. Exact data has a run with"
-                << " 'gapSag 0' in its system/remeshDict." << nl << endl;
-            return;
-        }
-    }
 }
 
 
@@ -257,10 +229,6 @@ int main(int argc, char *argv[])
     {
         writeShape(mesh(), data, args["shape"]);
         return 0;
-    }
-    if (!fromFile)
-    {
-        tellCuts(runTime);
     }
     const bool fromFlow = fromFile && entries.found("traction");
     if (fromFlow)
