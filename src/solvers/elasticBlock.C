@@ -21,23 +21,7 @@ Foam::fsbi::elasticBlock::elasticBlock
     stokes_(momentum.viscous()),
     firstRow_(firstRow),
     pressure_(elastic_.state().mixed() ? stencil_.vertices().size() : 0, Zero)
-{
-    setFaceRows();
-}
-
-
-void Foam::fsbi::elasticBlock::setFaceRows()
-{
-    faceRow_ = labelList(body_.solid.faces.size(), -1);
-    forAll(faceRow_, i)
-    {
-        const auto kind = elastic_.boundary().kinds()[body_.solid.faces[i]];
-        if (kind != solidBoundary::displacement)
-        {
-            faceRow_[i] = stencil_.nCells() + nFaceRows_++;
-        }
-    }
-}
+{}
 
 
 Foam::scalar Foam::fsbi::elasticBlock::halfCoeff(const label ghost) const
@@ -65,8 +49,7 @@ Foam::label Foam::fsbi::elasticBlock::solidCell(const label i) const
 
 void Foam::fsbi::elasticBlock::setSurface(const globalIndex& rows)
 {
-    // coefficients and columns by number, the body's plus one; doubles hold them
-    // exactly
+    // columns and coefficients by number; doubles hold columns exactly
     vectorField fluid(body_.fluid.nFaces, Zero);
     vectorField solid(body_.solid.nFaces, Zero);
     forAll(body_.fluid.faces, i)
@@ -77,25 +60,37 @@ void Foam::fsbi::elasticBlock::setSurface(const globalIndex& rows)
     }
     forAll(body_.solid.faces, i)
     {
-        if (faceRow_[i] >= 0)
-        {
-            solid[body_.solid.faceNumbers[i]].x() =
-                rows.toGlobal(firstRow_ + faceRow_[i]) + 1;
-        }
+        const label b = body_.solid.faces[i];
+        const bool held =
+            elastic_.boundary().kinds()[b] == solidBoundary::displacement;
+        solid[body_.solid.faceNumbers[i]] = vector
+        (
+            held ? 0 : halfCoeff(stencil_.ghostOf()[b]),
+            rows.toGlobal(firstRow_ + solidCell(b)), 0
+        );
     }
     surfaceSide::sum(fluid);
     surfaceSide::sum(solid);
-    const label n = fluid.size();
     fluidK_ = fluid.component(vector::X);
-    fluidColumn_.setSize(n);
-    faceColumn_.setSize(n);
+    solidK_ = solid.component(vector::X);
+    springK_ =
+        body_.springs.size()
+      ? scalarField(body_.springs/body_.velocityCoeff)
+      : scalarField(solid.size(), Zero);
+    sumK_ = solidK_ + springK_;
     parts_ = labelListList(solid.size());
+    fluidColumn_.setSize(fluid.size());
+    solidColumn_.setSize(solid.size());
     forAll(fluid, i)
     {
         const label t = body_.cut.parent(i);
         parts_[t].append(i);
+        sumK_[t] += fluidK_[i];
         fluidColumn_[i] = label(fluid[i].y() + 0.5);
-        faceColumn_[i] = label(solid[t].x() + 0.5) - 1;
+    }
+    forAll(solid, t)
+    {
+        solidColumn_[t] = label(solid[t].y() + 0.5);
     }
 }
 
@@ -139,7 +134,7 @@ void Foam::fsbi::elasticBlock::addBody
 }
 
 
-void Foam::fsbi::elasticBlock::addFaces
+void Foam::fsbi::elasticBlock::addLinks
 (
     const globalIndex& rows, compactEntries& entries
 ) const
@@ -147,36 +142,37 @@ void Foam::fsbi::elasticBlock::addFaces
     forAll(body_.fluid.faces, i)
     {
         const label number = body_.fluid.faceNumbers[i];
-        if (faceColumn_[number] >= 0)
+        const label t = body_.cut.parent(number);
+        if (solidK_[t] > 0)
         {
-            // its diagonal has the wall's coefficient already
-            entries.add
-            (
-                rows.toGlobal(fluidCell(body_.fluid.faces[i])),
-                faceColumn_[number], -fluidK_[number]
-            );
+            const label row =
+                rows.toGlobal(fluidCell(body_.fluid.faces[i]));
+            const scalar K = fluidK_[number]/sumK_[t];
+            // instead of a wall's coefficient
+            entries.add(row, row, K*springK_[t] - fluidK_[number]);
+            entries.link(row, solidColumn_[t], K*solidK_[t]);
+            for (const label other : parts_[t])
+            {
+                if (other != number)
+                {
+                    entries.link(row, fluidColumn_[other], K*fluidK_[other]);
+                }
+            }
         }
     }
     forAll(body_.solid.faces, i)
     {
-        if (faceRow_[i] < 0)
-        {
-            continue;
-        }
-        const label b = body_.solid.faces[i];
         const label t = body_.solid.faceNumbers[i];
-        const label row = rows.toGlobal(firstRow_ + faceRow_[i]);
-        const label cell = rows.toGlobal(firstRow_ + solidCell(b));
-        const scalar K = halfCoeff(stencil_.ghostOf()[b]);
-        entries.link(row, cell, K);
-        entries.link(cell, row, K);
-        for (const label number : parts_[t])
+        if (solidK_[t] > 0)
         {
-            entries.link(row, fluidColumn_[number], fluidK_[number]);
-        }
-        if (body_.springs.size())
-        {
-            entries.add(row, row, body_.springs[t]/body_.velocityCoeff);
+            const label row =
+                rows.toGlobal(firstRow_ + solidCell(body_.solid.faces[i]));
+            const scalar K = solidK_[t]/sumK_[t];
+            entries.add(row, row, K*springK_[t]);
+            for (const label number : parts_[t])
+            {
+                entries.link(row, fluidColumn_[number], K*fluidK_[number]);
+            }
         }
     }
 }
@@ -192,14 +188,14 @@ void Foam::fsbi::elasticBlock::addEntries
     spin_ = sphereResistance(body_, momentum_).spin;
     setSurface(rows);
     addBody(rows, entries);
-    addFaces(rows, entries);
+    addLinks(rows, entries);
 }
 
 
 Foam::scalar Foam::fsbi::elasticBlock::room() const
 {
     const solidMaterial& law = elastic_.state().material();
-    if (law.flows() || max(faceColumn_) < 0)
+    if (law.flows() || max(solidK_) <= 0)
     {
         return 0;
     }
@@ -263,7 +259,7 @@ void Foam::fsbi::elasticBlock::begin
     }
     addPressures(r, z, rhs, force);
     turn(fluidPressure, cells);
-    push(force, fluidPressure, rhs);
+    share(force, fluidPressure, rhs);
 }
 
 
@@ -304,47 +300,58 @@ void Foam::fsbi::elasticBlock::turn
 }
 
 
-void Foam::fsbi::elasticBlock::push
+void Foam::fsbi::elasticBlock::share
 (
     const vectorField& force, const scalarList& fluidPressure, vectorField& rhs
 ) const
 {
     const fvMesh& mesh = stokes_.stencil().mesh();
-    const label n = body_.fluid.nFaces;
+    const label n = body_.solid.nFaces;
     vectorField sums(2*n, Zero);
+    forAll(body_.solid.faces, i)
+    {
+        sums[body_.solid.faceNumbers[i]] =
+            force[stencil_.ghostOf()[body_.solid.faces[i]]];
+    }
     forAll(body_.fluid.faces, i)
     {
         const label b = body_.fluid.faces[i];
         const label number = body_.fluid.faceNumbers[i];
-        const label facei = mesh.nInternalFaces() + b;
-        const point& place = mesh.faceCentres()[facei];
-        const vector turned(fluidK_[number]*turning(place));
-        sums[number] = place;
-        sums[n + number] =
-            fluidPressure[fluidCell(b)]*mesh.faceAreas()[facei] - turned;
-        if (faceColumn_[number] >= 0)
-        {
-            rhs[fluidCell(b)] += turned;
-        }
+        const label t = body_.cut.parent(number);
+        const point& place = mesh.faceCentres()[mesh.nInternalFaces() + b];
+        sums[t] +=
+            fluidPressure[fluidCell(b)]
+           *mesh.faceAreas()[mesh.nInternalFaces() + b]
+          - fluidK_[number]*turning(place);
+        sums[n + t] += body_.cut.share(number)*place;
     }
     surfaceSide::sum(sums);
+    push_ = SubField<vector>(sums, n);
+    places_ = SubField<vector>(sums, n, n);
 
-    places_ = pointField(body_.solid.faces.size(), Zero);
+    forAll(body_.fluid.faces, i)
+    {
+        const label b = body_.fluid.faces[i];
+        const label number = body_.fluid.faceNumbers[i];
+        const label t = body_.cut.parent(number);
+        if (solidK_[t] > 0)
+        {
+            rhs[fluidCell(b)] +=
+                fluidK_[number]
+               *(
+                    push_[t]/sumK_[t]
+                  + turning(mesh.faceCentres()[mesh.nInternalFaces() + b])
+                );
+        }
+    }
     forAll(body_.solid.faces, i)
     {
-        if (faceRow_[i] < 0)
-        {
-            continue;
-        }
         const label b = body_.solid.faces[i];
-        const vector& ghost = force[stencil_.ghostOf()[b]];
-        vector& surface = rhs[firstRow_ + faceRow_[i]];
-        surface = ghost;
-        rhs[firstRow_ + solidCell(b)] -= ghost;
-        for (const label number : parts_[body_.solid.faceNumbers[i]])
+        const label t = body_.solid.faceNumbers[i];
+        if (solidK_[t] > 0)
         {
-            surface += sums[n + number];
-            places_[i] += body_.cut.share(number)*sums[number];
+            rhs[firstRow_ + solidCell(b)] +=
+                solidK_[t]/sumK_[t]*push_[t] - force[stencil_.ghostOf()[b]];
         }
     }
 }
@@ -368,22 +375,29 @@ void Foam::fsbi::elasticBlock::end
     elastic_.boundary().followCells(u);
     elastic_.followCells(r, UList<vector>(u, nCells), z);
 
+    vectorField pulled(push_.size(), Zero);
+    forAll(body_.fluid.faces, i)
+    {
+        const label number = body_.fluid.faceNumbers[i];
+        pulled[body_.cut.parent(number)] +=
+            fluidK_[number]*velocity[fluidCell(body_.fluid.faces[i])];
+    }
+    surfaceSide::sum(pulled);
     forAll(body_.solid.faces, i)
     {
-        if (faceRow_[i] < 0)
-        {
-            continue;
-        }
         const label b = body_.solid.faces[i];
-        const label cell = solidCell(b);
-        const vector surface
-        (
-            velocity[firstRow_ + faceRow_[i]] + turning(places_[i])
-        );
-        u[nCells + stencil_.ghostOf()[b]] =
+        const label t = body_.solid.faceNumbers[i];
+        if (solidK_[t] > 0)
+        {
+            const vector& vs = velocity[firstRow_ + solidCell(b)];
+            const vector vb
             (
-                2*surface - velocity[firstRow_ + cell]
-              - turning(cells_[cell])
-            )/body_.velocityCoeff;
+                (solidK_[t]*vs + pulled[t] + push_[t])/sumK_[t]
+              + turning(places_[t])
+            );
+            u[nCells + stencil_.ghostOf()[b]] =
+                (2*vb - vs - turning(cells_[solidCell(b)]))
+               /body_.velocityCoeff;
+        }
     }
 }
