@@ -112,7 +112,7 @@ Foam::fsbi::loads::spring Foam::fsbi::contact::pressing
 ) const
 {
     const scalar s = (f.distance - gap_)/range_;
-    const scalar k = 0.2*pressure_*f.area*(now.isWall(other) ? 1 : 0.5);
+    const scalar k = 0.2*pressure_*f.area;
     const auto site = [&](const label on, const label tri, const point& x)
     {
         const bodySurface& surface = now.surface(on);
@@ -149,11 +149,16 @@ void Foam::fsbi::contact::visitAll
     {
         for (label b = 0; b < now.size(); ++b)
         {
-            search
-            (
-                now, a, b, gap_ + range_,
-                [&](const facing& f) { visit(a, b, f); }
-            );
+            const scalar part = now.share(a, b);
+            const auto found = [&](facing f)
+            {
+                f.area *= part;
+                visit(a, b, f);
+            };
+            if (part > 0)
+            {
+                search(now, a, b, gap_ + range_, found);
+            }
         }
     }
 }
@@ -185,10 +190,10 @@ Foam::scalar Foam::fsbi::contact::energy() const
     scalar sum = 0;
     visitAll
     (
-        now, [&](const label, const label b, const facing& f)
+        now, [&](const label, const label, const facing& f)
         {
             const scalar s = (f.distance - gap_)/range_;
-            sum += (now.isWall(b) ? 1 : 0.5)*f.area*pow3(1 - s)/sqr(s);
+            sum += f.area*pow3(1 - s)/sqr(s);
         }
     );
     return 0.2*pressure_*range_*sum;

@@ -80,11 +80,11 @@ Foam::fsbi::outcome Foam::fsbi::couplingScheme::moveMesh()
 
 Foam::fsbi::outcome Foam::fsbi::couplingScheme::keepApart
 (
-    List<bodyRows>& rows
+    const scalar most, List<bodyRows>& rows
 )
 {
     outcome moved;
-    if (apart_->limit(fluid_.acting(), rows) && !fluid_.still())
+    if (apart_->limit(fluid_.acting(), most, rows) && !fluid_.still())
     {
         fluid_.stay(true);
         apart_->atStart([&]{ moved = fluid_.move(); });

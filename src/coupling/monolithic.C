@@ -23,6 +23,10 @@ static const label maxCorrections = 15;
 //- The same where bodies touch: corrections may be shortened then
 static const label maxInContact = 60;
 
+//- Part of the residual of two corrections before above which they go back and
+//  forth, where what touches changes from one to the next and back
+static const scalar returns = 0.5;
+
 } // End namespace fsbi
 } // End namespace Foam
 
@@ -65,6 +69,7 @@ Foam::fsbi::outcome Foam::fsbi::monolithic::solve(List<bodyRows>& rows)
 {
     label iterations = 0;
     const label most = apart_ ? maxInContact : maxCorrections;
+    FixedList<scalar, 2> residuals(GREAT);
     for (label i = 0; i <= most; ++i)
     {
         if (apart_)
@@ -88,7 +93,12 @@ Foam::fsbi::outcome Foam::fsbi::monolithic::solve(List<bodyRows>& rows)
         {
             solid.follow();
         }
-        const outcome apart(apart_ ? keepApart(rows) : outcome());
+        const bool back = report_.residual > returns*residuals[i % 2];
+        residuals[i % 2] = report_.residual;
+        const outcome apart
+        (
+            apart_ ? keepApart(back ? 0.5 : 1, rows) : outcome()
+        );
         if (!apart)
         {
             return apart;

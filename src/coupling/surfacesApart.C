@@ -138,7 +138,7 @@ bool Foam::fsbi::surfacesApart::hold(List<bodyRows>& rows)
 
 bool Foam::fsbi::surfacesApart::limit
 (
-    const loads& acting, List<bodyRows>& rows
+    const loads& acting, const scalar most, List<bodyRows>& rows
 )
 {
     follow();
@@ -157,7 +157,7 @@ bool Foam::fsbi::surfacesApart::limit
         moved.resize(solids_[e].rows().solid.nPoints);  // points are first
     }
     const auto place = wayBetween(from_, to, ways);
-    const scalar clear = effects_.clearPart(place);
+    const scalar clear = min(effects_.clearPart(place), most);
     if (clear == 1 && !touching() && !acting.onCorners())
     {
         // rigid bodies go on to where the step's end takes them

@@ -152,8 +152,13 @@ void Foam::fsbi::repulsion::visit(const Visitor& visitor) const
 {
     const currentSurfaces now(context_);
     const scalar reach = minimumGap_ + range_;
-    const auto from = [&](const label body, const label other, const scalar part)
+    const auto from = [&](const label body, const label other)
     {
+        const scalar part = now.share(body, other);
+        if (part == 0)
+        {
+            return;
+        }
         const label parts = divisions(body, other);
         for (const neighbour& n : neighbours(now, body, other, reach, parts))
         {
@@ -162,22 +167,10 @@ void Foam::fsbi::repulsion::visit(const Visitor& visitor) const
     };
     for (const pair& p : pairs_)
     {
-        const label a = p[0], b = p[1];
-        if (now.isWall(b) || deforms(a) > deforms(b))
+        from(p[0], p[1]);
+        if (!now.isWall(p[1]) && p[0] != p[1])  // images see each other from both
         {
-            from(a, b, 1);
-        }
-        else if (deforms(b) > deforms(a))
-        {
-            from(b, a, 1);
-        }
-        else
-        {
-            from(a, b, 0.5);
-            if (a != b)         // images see each other from both sides
-            {
-                from(b, a, 0.5);
-            }
+            from(p[1], p[0]);
         }
     }
 }

@@ -53,6 +53,13 @@ def test_a_pair_comes_to_rest(run):
     assert abs(approach[-1]) < 0.1 * abs(approach[0])
 
 
+def test_beside_a_rigid_body_steps_converge_as_elsewhere():
+    # bound: the corrections that a step may take where nothing touches
+    cost = history("besideRigid")["cost"]
+    print(cost["corrections"])
+    assert cost["corrections"].max() <= 15 and len(cost["time"]) == 5
+
+
 @pytest.mark.parametrize("run", ["soft20000", "soft2000000", "besideRigid", "twoSoft"])
 def test_surfaces_stay_apart(run):
     assert (pushes(run)[1] > GAP).all()
