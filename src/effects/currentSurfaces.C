@@ -148,10 +148,6 @@ Foam::scalar Foam::fsbi::currentSurfaces::share
     const label body, const label other
 ) const
 {
-    const auto deforms = [this](const label surface)
-    {
-        return !isWall(surface) && context_.bodies[surface].deforms();
-    };
     return
         isWall(other) || deforms(body) > deforms(other) ? 1
       : deforms(body) < deforms(other) ? 0

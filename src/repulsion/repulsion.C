@@ -124,10 +124,10 @@ void Foam::fsbi::repulsion::readPairs(const dictionary& dict)
 
 Foam::label Foam::fsbi::repulsion::divisions
 (
-    const label body, const label other
+    const currentSurfaces& now, const label body, const label other
 ) const
 {
-    return perTriangle_ || deforms(other) ? 1 : divisions_[body];
+    return perTriangle_ || now.deforms(other) ? 1 : divisions_[body];
 }
 
 
@@ -159,7 +159,7 @@ void Foam::fsbi::repulsion::visit(const Visitor& visitor) const
         {
             return;
         }
-        const label parts = divisions(body, other);
+        const label parts = divisions(now, body, other);
         for (const neighbour& n : neighbours(now, body, other, reach, parts))
         {
             visitor(now, n, body, other, part);
@@ -187,7 +187,7 @@ void Foam::fsbi::repulsion::push
 ) const
 {
     const scalar area =
-        now.area(body, n.place.triangle)/sqr(scalar(divisions(body, other)));
+        now.area(body, n.place.triangle)/sqr(scalar(divisions(now, body, other)));
     const scalar k = part*strength_*(perTriangle_ ? 1 : area);
     const scalar gap = n.gap - minimumGap_;
     const scalar d = max(gap, nearest*range_);
