@@ -41,7 +41,7 @@ Foam::fsbi::NewtonKrylov::NewtonKrylov
     maxIterations_(maxIterations),
     krylov_
     (
-        system.size(), prefix, restart,
+        system.size(), prefix, restart, !system.fixedPreconditioner(),
         [&](const scalar* x, scalar* y){ system.applyJacobian(x, y); },
         [&](const scalar* r, scalar* z){ system.precondition(r, z); }
     ),

@@ -489,13 +489,19 @@ void Foam::fsbi::coupledSystem::forgetPreconditioner()
 }
 
 
-void Foam::fsbi::coupledSystem::renewPreconditioner()
+Foam::fsbi::coupledPreconditioner& Foam::fsbi::coupledSystem::preconditioner()
 {
     if (!preconditioner_)
     {
         preconditioner_ =
             coupledPreconditioner::New(preconditionerType_, *this);
     }
-    preconditioner_->rebuild();
+    return preconditioner_();
+}
+
+
+void Foam::fsbi::coupledSystem::renewPreconditioner()
+{
+    preconditioner().rebuild();
     corners_.clear();
 }

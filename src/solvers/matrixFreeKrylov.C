@@ -10,6 +10,7 @@ Foam::fsbi::matrixFreeKrylov::matrixFreeKrylov
     const label size,
     const char* prefix,
     const label restart,
+    const bool flexible,
     const function& multiplied,
     const function& preconditioned
 )
@@ -38,7 +39,8 @@ Foam::fsbi::matrixFreeKrylov::matrixFreeKrylov
     PC pc;
     petscCheck(KSPCreate(PETSC_COMM_WORLD, krylov_.create()));
     petscCheck(KSPSetOperators(krylov_, operator_, operator_));
-    petscCheck(KSPSetType(krylov_, KSPFGMRES));
+    petscCheck(KSPSetType(krylov_, flexible ? KSPFGMRES : KSPGMRES));
+    petscCheck(KSPSetPCSide(krylov_, PC_RIGHT));
     petscCheck(KSPGMRESSetRestart(krylov_, restart));
     petscCheck(KSPGetPC(krylov_, &pc));
     petscCheck(PCSetType(pc, PCSHELL));

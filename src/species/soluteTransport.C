@@ -232,7 +232,7 @@ Foam::fsbi::outcome Foam::fsbi::soluteTransport::correct
     const label n = r.size();
     matrixFreeKrylov krylov
     (
-        n, "species_", restart,
+        n, "species_", restart, true,
         [this](const scalar* x, scalar* y) { residual(x, 0, y); },
         [this, n](const scalar* x, scalar* y)
         {
