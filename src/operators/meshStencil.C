@@ -5,7 +5,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "meshStencil.H"
 #include "globalIndex.H"
-#include "Map.H"
 #include "noTurn.H"
 #include "syncTools.H"
 #include "tensor.H"
@@ -26,16 +25,36 @@ static const scalar averageAbove = 100;
 
 //- Global numbers of cells and of the point that takes them, -1: around the
 //  vertex anyway
-typedef Map<label> claimMap;
+typedef List<labelPair> claimList;
+
+//- The vertex that claims a cell, by the cell's number; null: none
+static label* claimOf(UList<labelPair>& claims, const label number)
+{
+    for (labelPair& claim : claims)
+    {
+        if (claim.first() == number)
+        {
+            return &claim.second();
+        }
+    }
+    return nullptr;
+}
 
 struct lowestClaim
 {
-    void operator()(claimMap& a, const claimMap& b) const
+    void operator()(claimList& a, const claimList& b) const
     {
-        forAllConstIters(b, iter)
+        for (const labelPair& claim : b)
         {
-            const auto own = a.find(iter.key());
-            a.set(iter.key(), own.found() ? min(*own, *iter) : *iter);
+            label* own = claimOf(a, claim.first());
+            if (own)
+            {
+                *own = min(*own, claim.second());
+            }
+            else
+            {
+                a.append(claim);
+            }
         }
     }
 };
@@ -263,13 +282,16 @@ Foam::fsbi::meshStencil::vertexMoments
 
 
 Foam::List<Foam::DynamicList<Foam::label>>
-Foam::fsbi::meshStencil::cellsBeside() const
+Foam::fsbi::meshStencil::cellsBeside(const boolList& wanted) const
 {
     List<DynamicList<label>> beside(mesh_.nCells());
     forAll(owner_, i)
     {
-        beside[owner_[i]].append(neighbour_[i]);
-        if (neighbour_[i] < mesh_.nCells())
+        if (wanted[owner_[i]])
+        {
+            beside[owner_[i]].append(neighbour_[i]);
+        }
+        if (neighbour_[i] < mesh_.nCells() && wanted[neighbour_[i]])
         {
             beside[neighbour_[i]].append(owner_[i]);
         }
@@ -295,38 +317,41 @@ void Foam::fsbi::meshStencil::extend
     }
     halo_.fill(number.data(), 1);
 
-    // both sides of a coupled face see the cells that a vertex there lacks:
-    // the lower point number takes them
-    List<claimMap> claims(x.size());
-    List<DynamicList<label>> beside;
+    DynamicList<label> outside;
+    boolList around(mesh_.nCells(), false);
     forAll(x, v)
     {
-        if (m[v].outside() < extendAbove)
+        if (m[v].outside() >= extendAbove)
         {
-            continue;
+            outside.append(v);
+            UIndirectList<bool>(around, cells[v]) = true;
         }
-        if (beside.empty())
-        {
-            beside = cellsBeside();
-        }
+    }
+    const List<DynamicList<label>> beside(cellsBeside(around));
+
+    // both sides of a coupled face see the cells that a vertex there lacks:
+    // the lower point number takes them
+    List<claimList> claims(x.size());
+    for (const label v : outside)
+    {
         const vector open(normalised(m[v].inverseCovariance & m[v].mean));
         const scalar gap = mag(open & m[v].mean);
-        const labelList around(cells[v]);
-        for (const label celli : around)
+        const labelList known(cells[v]);
+        for (const label celli : known)
         {
-            claims[v].set(label(number[celli]), -1);
+            claims[v].append(labelPair(label(number[celli]), -1));
         }
-        for (const label celli : around)
+        for (const label celli : known)
         {
             for (const label other : beside[celli])
             {
                 const vector d(C[other] - x[v] - m[v].mean);
                 // a cell may be behind several coupled faces
                 const label n = label(number[other]);
-                if (mag(d & open) > 0.5*gap && !claims[v].found(n))
+                if (mag(d & open) > 0.5*gap && !claimOf(claims[v], n))
                 {
                     cells[v].append(other);
-                    claims[v].set(n, globalPoint.toGlobal(v));
+                    claims[v].append(labelPair(n, globalPoint.toGlobal(v)));
                 }
             }
         }
@@ -340,7 +365,7 @@ void Foam::fsbi::meshStencil::extend
 
 void Foam::fsbi::meshStencil::settle
 (
-    List<claimMap>& claims,
+    List<claimList>& claims,
     const scalarList& number,
     List<DynamicList<label>>& cells
 ) const
@@ -348,7 +373,7 @@ void Foam::fsbi::meshStencil::settle
     const globalIndex globalPoint(mesh_.nPoints());
     syncTools::syncPointList
     (
-        mesh_, claims, lowestClaim(), claimMap(), noTurn()
+        mesh_, claims, lowestClaim(), claimList(), noTurn()
     );
     forAll(claims, v)
     {
@@ -357,7 +382,7 @@ void Foam::fsbi::meshStencil::settle
         cells[v].setSize(nAround);
         for (label i = nAround; i < all.size(); ++i)
         {
-            if (claims[v][label(number[all[i]])] == globalPoint.toGlobal(v))
+            if (*claimOf(claims[v], label(number[all[i]])) == globalPoint.toGlobal(v))
             {
                 cells[v].append(all[i]);
             }
