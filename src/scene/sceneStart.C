@@ -56,6 +56,7 @@ Foam::fsbi::scene::scene(const Time& time, const dictionary& saved)
     }
     if (fluid_)
     {
+        checkHeld();
         traffic_.set(fluid_(), effects_.get());
     }
     listParticipants();
@@ -273,6 +274,44 @@ void Foam::fsbi::scene::checkParts() const
                : "There is no") << " file constant/fluid/material, which rigid"
             << " and rolling bodies need; a scene without fluid has elastic"
             << " bodies only" << exit(FatalError);
+    }
+}
+
+
+void Foam::fsbi::scene::checkHeld() const
+{
+    if (effects_ || fluid_->momentum().remembers())
+    {
+        return;
+    }
+    for (const polyPatch& pp : fluid_->mesh().boundaryMesh())
+    {
+        if (!pp.coupled() && !fluid_->meshing().isBody(pp.name()))
+        {
+            return;
+        }
+    }
+    const auto has = [this](const body& any, const word& keyword)
+    {
+        return bodies_.entries(any.name()).found(keyword);
+    };
+    label free = 0;
+    for (const rigidBody& body : bodies_.rigid)
+    {
+        free += body.overdamped() && !has(body, "constraints");
+    }
+    for (const solidRegion& solid : bodies_.elastic)
+    {
+        free += !has(solid, "tether") && !has(solid, "held");
+    }
+    if (free == bodies_.all().size())
+    {
+        FatalErrorInFunction
+            << "Nothing holds the fluid: all sides of the domain are cyclic, no"
+            << " body is held, and without inertia its velocity as a whole could"
+            << " be any. Add a wall (system/blockMeshDict), hold a body"
+            << " ('constraints' or 'tether' in constant/bodies), or give the fluid"
+            << " 'inertia' (constant/fluid/material)" << exit(FatalError);
     }
 }
 

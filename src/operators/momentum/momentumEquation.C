@@ -193,6 +193,7 @@ void Foam::fsbi::momentumEquation::residual
     for (const momentumTerm& term : terms_)
     {
         term.addFluxes(viscous_(), given, r);
+        term.addTraction(viscous_(), traction);
     }
 }
 

@@ -72,6 +72,37 @@ public:
 defineTypeNameAndDebug(uniformForce, 0);
 addToRunTimeSelectionTable(volumeForce, uniformForce, entries);
 
+
+//- Minus the gradient of a pressure that is no unknown
+class pressureGradientForce
+:
+    public volumeForce
+{
+    autoPtr<Function1<vector>> gradient_;
+
+public:
+
+    TypeName("pressureGradient");
+
+    explicit pressureGradientForce(const checkedDictionary& entries)
+    :
+        gradient_(timeFunction<vector>("gradient", entries))
+    {}
+
+    void add(const pointField&, const scalar t, vectorField& b) const override
+    {
+        b -= gradient_->value(t);
+    }
+
+    vector pressureGradient(const scalar t) const override
+    {
+        return gradient_->value(t);
+    }
+};
+
+defineTypeNameAndDebug(pressureGradientForce, 0);
+addToRunTimeSelectionTable(volumeForce, pressureGradientForce, entries);
+
 } // End namespace fsbi
 } // End namespace Foam
 

@@ -42,9 +42,12 @@ void Foam::fsbi::volumeForces::update()
 {
     onCells_.setSize(mesh_.nCells());
     onCells_ = Zero;
+    pressureGradient_ = Zero;
+    const scalar time = mesh_.time().value();
     for (const volumeForce& force : forces_)
     {
-        force.add(mesh_.cellCentres(), mesh_.time().value(), onCells_);
+        force.add(mesh_.cellCentres(), time, onCells_);
+        pressureGradient_ += force.pressureGradient(time);
     }
     onCells_ *= mesh_.cellVolumes();
 }
@@ -70,5 +73,35 @@ void Foam::fsbi::volumeForces::addResidual(const scalar*, scalar* r) const
         r[4*i] -= onCells_[i].x();
         r[4*i + 1] -= onCells_[i].y();
         r[4*i + 2] -= onCells_[i].z();
+    }
+}
+
+
+void Foam::fsbi::volumeForces::addTraction
+(
+    const stokesOperator& viscous, vectorField& traction
+) const
+{
+    if (pressureGradient_ == vector::zero)
+    {
+        return;
+    }
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        if (pp.coupled() || !returnReduce(pp.size(), sumOp<label>()))
+        {
+            continue;
+        }
+        const pointField x(pp.faceCentres());
+        const point middle(gAverage(x));
+        const label start = pp.start() - mesh_.nInternalFaces();
+        forAll(x, i)
+        {
+            if (viscous.velocityGiven()[start + i])
+            {
+                traction[start + i] -=
+                    (pressureGradient_ & (x[i] - middle))*pp.faceAreas()[i];
+            }
+        }
     }
 }
