@@ -58,14 +58,19 @@ public:
 
     TypeName("uniform");
 
-    explicit uniformForce(const checkedDictionary& entries)
+    explicit uniformForce
+    (
+        const checkedDictionary& entries, const word& keyword = "value"
+    )
     :
-        value_(timeFunction<vector>("value", entries))
+        value_(timeFunction<vector>(keyword, entries))
     {}
+
+    vector value(const scalar t) const { return value_->value(t); }
 
     void add(const pointField&, const scalar t, vectorField& b) const override
     {
-        b += value_->value(t);
+        b += value(t);
     }
 };
 
@@ -76,27 +81,25 @@ addToRunTimeSelectionTable(volumeForce, uniformForce, entries);
 //- Minus the gradient of a pressure that is no unknown
 class pressureGradientForce
 :
-    public volumeForce
+    public uniformForce
 {
-    autoPtr<Function1<vector>> gradient_;
-
 public:
 
     TypeName("pressureGradient");
 
     explicit pressureGradientForce(const checkedDictionary& entries)
     :
-        gradient_(timeFunction<vector>("gradient", entries))
+        uniformForce(entries, "gradient")
     {}
 
     void add(const pointField&, const scalar t, vectorField& b) const override
     {
-        b -= gradient_->value(t);
+        b -= value(t);
     }
 
     vector pressureGradient(const scalar t) const override
     {
-        return gradient_->value(t);
+        return value(t);
     }
 };
 

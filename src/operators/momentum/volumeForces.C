@@ -42,14 +42,41 @@ void Foam::fsbi::volumeForces::update()
 {
     onCells_.setSize(mesh_.nCells());
     onCells_ = Zero;
-    pressureGradient_ = Zero;
+    vector pressureGradient(Zero);
     const scalar time = mesh_.time().value();
     for (const volumeForce& force : forces_)
     {
         force.add(mesh_.cellCentres(), time, onCells_);
-        pressureGradient_ += force.pressureGradient(time);
+        pressureGradient += force.pressureGradient(time);
     }
     onCells_ *= mesh_.cellVolumes();
+    setOnFaces(pressureGradient);
+}
+
+
+void Foam::fsbi::volumeForces::setOnFaces(const vector& pressureGradient)
+{
+    onFaces_.clear();
+    if (pressureGradient == vector::zero)
+    {
+        return;
+    }
+    onFaces_ = vectorField(mesh_.nFaces() - mesh_.nInternalFaces(), Zero);
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        if (pp.coupled() || !returnReduce(pp.size(), sumOp<label>()))
+        {
+            continue;
+        }
+        const pointField x(pp.faceCentres());
+        const point middle(gAverage(x));
+        const label start = pp.start() - mesh_.nInternalFaces();
+        forAll(x, i)
+        {
+            onFaces_[start + i] =
+                -(pressureGradient & (x[i] - middle))*pp.faceAreas()[i];
+        }
+    }
 }
 
 
@@ -82,26 +109,11 @@ void Foam::fsbi::volumeForces::addTraction
     const stokesOperator& viscous, vectorField& traction
 ) const
 {
-    if (pressureGradient_ == vector::zero)
+    forAll(onFaces_, i)
     {
-        return;
-    }
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        if (pp.coupled() || !returnReduce(pp.size(), sumOp<label>()))
+        if (viscous.velocityGiven()[i])
         {
-            continue;
-        }
-        const pointField x(pp.faceCentres());
-        const point middle(gAverage(x));
-        const label start = pp.start() - mesh_.nInternalFaces();
-        forAll(x, i)
-        {
-            if (viscous.velocityGiven()[start + i])
-            {
-                traction[start + i] -=
-                    (pressureGradient_ & (x[i] - middle))*pp.faceAreas()[i];
-            }
+            traction[i] += onFaces_[i];
         }
     }
 }
