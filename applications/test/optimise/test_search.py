@@ -3,6 +3,7 @@
 """Optima that are known, in few measurements."""
 
 import signal
+import sys
 import time
 
 import numpy as np
@@ -77,7 +78,10 @@ def test_ctrl_c_at_any_moment_is_an_exception_and_nothing_else(capfd):
         raise KeyboardInterrupt
 
     scaled = search.Scaled([(1, 1), (2, -1)])
-    moments = np.random.default_rng(1).uniform(1e-4, 4e-3, 100)
+    random = np.random.default_rng(1)
+    # most while a search begins, when a lock of its thread could stay locked
+    moments = [*random.uniform(1e-5, 3e-4, 2000), *random.uniform(1e-4, 4e-3, 100)]
+    threads = len(sys._current_frames())
     before, ended = signal.signal(signal.SIGALRM, interrupt), 0
     try:
         for moment in moments:
@@ -91,5 +95,7 @@ def test_ctrl_c_at_any_moment_is_an_exception_and_nothing_else(capfd):
     finally:
         signal.signal(signal.SIGALRM, before)
     assert ended == len(moments)
+    time.sleep(0.1)
+    assert len(sys._current_frames()) == threads    # no search waits for an answer
     # Fortran would tell of a call that did not come back, if it came back itself
     assert capfd.readouterr() == ("", "")

@@ -13,8 +13,8 @@ References
     Numerical Analysis, Kluwer, 51-67.
 """
 
+import _thread
 import queue
-import threading
 
 import numpy as np
 from scipy.optimize import minimize
@@ -61,10 +61,11 @@ def descend(measure, start, scaled, points, tolerance):
     """measure(u) gives (value, *rooms); `points` of them at most."""
     asked, answered = queue.SimpleQueue(), queue.SimpleQueue()
     # a thread of its own: signals only reach the main one, and Ctrl-C must not jump out
-    # of a function that Fortran has called, which may end the whole program
+    # of a function that Fortran has called, which may end the whole program. By _thread:
+    # threading's start() holds a lock that Ctrl-C may leave locked, and then waits for
+    # the thread at the program's end, for ever
     try:
-        threading.Thread(target=_cobyla,
-                         args=(asked, answered, start, scaled, points, tolerance)).start()
+        _thread.start_new_thread(_cobyla, (asked, answered, start, scaled, points, tolerance))
         while (x := asked.get()) is not None:
             answered.put(scaled(measure(np.clip(x, 0, 1))))
     finally:
