@@ -30,7 +30,7 @@ Foam::fsbi::timings::scope Foam::fsbi::timings::profileMemory(const word& part)
 {
     cost& c = at(part);
     c.memoryProfiled = true;
-    return scope(c);
+    return scope(*this, c);
 }
 
 

@@ -6,12 +6,14 @@ Application
     fsbiTestHistory
 
 Description
-    The history file: write, continue, refuse, and survive a kill.
+    The history file: write, continue, refuse, and survive a kill. Seconds per
+    part of a run.
 
 \*---------------------------------------------------------------------------*/
 
 #include "checks.H"
 #include "historyFile.H"
+#include "timings.H"
 #include "OSspecific.H"
 
 #include <algorithm>
@@ -225,6 +227,38 @@ static void testKill(fsbi::checks& checks, const fileName& file)
 }
 
 
+//  A second of a part within another is not counted twice
+static void testTimings(fsbi::checks& checks)
+{
+    fsbi::timings timings;
+    const auto wait = [](const double s) { usleep(useconds_t(1e6*s)); };
+    {
+        auto outer = timings.measure("outer");
+        wait(0.05);
+        {
+            auto inner = timings.measure("inner");
+            wait(0.1);
+        }
+        {
+            auto inner = timings.profileMemory("inner");
+            wait(0.1);
+        }
+    }
+    {
+        auto alone = timings.measure("alone");
+        wait(0.05);
+    }
+    const scalar
+        outer = timings.seconds("outer"),
+        inner = timings.seconds("inner"),
+        alone = timings.seconds("alone");
+    checks.check("seconds of the inner part", inner >= 0.2);
+    checks.check("seconds of the outer part without it", outer >= 0.05);
+    checks.check("seconds of a part after them", alone >= 0.05);
+    checks.check("parts together take no more than the run", outer + inner + alone <= timings.total());
+}
+
+
 int main()
 {
     fsbi::checks checks;
@@ -235,6 +269,7 @@ int main()
     testWriteAndContinue(checks, scratch/"folder/history.h5");
     testTogether(checks, scratch/"together.h5");
     testRefusals(checks, scratch/"refuse.h5");
+    testTimings(checks);
 
     rmDir(scratch);
     return checks.finish();
