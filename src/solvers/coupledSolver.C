@@ -291,6 +291,11 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
             // says what is small
             scale_ = max(scale_, system_->normOfEffects());
         }
+        if (!withoutElastic())
+        {
+            // where nothing moves no digit beyond the last is asked for
+            scale_ = max(scale_, system_->roundOff(x)/tolerance_);
+        }
         if (system_->linear() && scale_ < VSMALL)
         {
             // nothing moves: from another guess no tolerance would be

@@ -112,28 +112,6 @@ bool Foam::fsbi::coupledSystem::setSprings()
 }
 
 
-Foam::fsbi::bodyChange Foam::fsbi::coupledSystem::largestChange
-(
-    const scalarList& before, const scalarList& x
-) const
-{
-    scalarList changes(elastic_.size(), Zero);
-    forAll(elastic_, e)
-    {
-        const vector* now = layout_.displacement(e, x.cdata());
-        const vector* then = layout_.displacement(e, before.cdata());
-        forAll(elastic_[e]->volumes, celli)
-        {
-            changes[e] = max(changes[e], mag(now[celli] - then[celli]));
-        }
-    }
-    Pstream::listCombineGather(changes, maxEqOp<scalar>());
-    Pstream::listCombineScatter(changes);
-    const label e = findMax(changes);
-    return {e, e < 0 ? 0 : changes[e]};
-}
-
-
 Foam::scalar Foam::fsbi::coupledSystem::norm(const scalarList& rows)
 {
     scalar sum = 0;
