@@ -15,6 +15,9 @@ namespace fsbi
 }
 }
 
+//- Part of its volume below which no cell is meant to be pressed
+static const Foam::scalar crushed = 0.3;
+
 Foam::scalar Foam::fsbi::solidMaterial::densityOf
 (
     const checkedDictionary& entries
@@ -137,4 +140,25 @@ Foam::tensor Foam::fsbi::solidMaterial::viscousTangent
             (dF & symm(F.T() & Fdot))
           + (F & symm((dF.T() & Fdot) + (F.T() & dFdot)))
         );
+}
+
+
+Foam::string Foam::fsbi::solidMaterial::warning
+(
+    const scalar minJ, const scalar minStretch
+) const
+{
+    if (minJ > crushed)
+    {
+        return string();
+    }
+    char text[200];
+    snprintf
+    (
+        text, sizeof(text),
+        "pressed together to %.2g of its volume in places: loads there are "
+        "above its bulk modulus, %.3g, which a nu nearer to 0.5 makes larger",
+        minJ, lambda_ + 2*mu_/3
+    );
+    return text;
 }

@@ -285,10 +285,12 @@ static void checkWarnings(checks& c)
             "corotationalElastic"
         ) != std::string::npos
     );
+    const auto soft = material("neoHookean", 0.3);
     c.check
     (
-        "neoHookean has nothing to warn of",
-        material("neoHookean", 0.3)->warning(0.1, 0.1).empty()
+        "neoHookean warns of nothing but volumes that are crushed",
+        soft->warning(0.4, 0.1).empty()
+     && soft->warning(0.2, 0.6).find("0.2 of its volume") != std::string::npos
     );
 }
 
