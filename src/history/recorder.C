@@ -87,6 +87,7 @@ void Foam::fsbi::recorder::declare()
     if (solvesFlow())
     {
         ends_ = scene_.fluid().endPatches();
+        periodic_ = scene_.fluid().periodic();
     }
     for (const word& patch : ends_)
     {
@@ -94,6 +95,10 @@ void Foam::fsbi::recorder::declare()
         (
             "flow"/patch, {"in", "out", "pressure"}, "L^3/T, L^3/T, M/L/T^2"
         );
+    }
+    if (periodic_)
+    {
+        history_.declare("flow/mean", {"x", "y", "z"}, "L/T");
     }
     if (estimatesError())
     {

@@ -236,6 +236,14 @@ void Foam::fsbi::recorder::appendFlow()
             scalarList({flow.in, flow.out, flow.pressure})
         );
     }
+    if (periodic_)
+    {
+        const vector mean(scene_.fluid().meanVelocity());
+        history_.append
+        (
+            "flow/mean", time_.value(), scalarList({mean.x(), mean.y(), mean.z()})
+        );
+    }
 }
 
 
