@@ -227,7 +227,7 @@ static void testKill(fsbi::checks& checks, const fileName& file)
 }
 
 
-//  A second of a part within another is not counted twice
+//- Seconds of a part within another are not counted twice
 static void testTimings(fsbi::checks& checks)
 {
     fsbi::timings timings;
@@ -255,7 +255,11 @@ static void testTimings(fsbi::checks& checks)
     checks.check("seconds of the inner part", inner >= 0.2);
     checks.check("seconds of the outer part without it", outer >= 0.05);
     checks.check("seconds of a part after them", alone >= 0.05);
-    checks.check("parts together take no more than the run", outer + inner + alone <= timings.total());
+    checks.check
+    (
+        "parts together take no more than the run",
+        outer + inner + alone <= timings.total()
+    );
 }
 
 
