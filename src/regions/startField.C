@@ -76,7 +76,8 @@ static void checkType(const Foam::dictionary& patch)
             << "There is no boundary condition '" << type << "'"
             << string(meant.size() ? " (" + meant + "?)" : "").c_str()
             << ", neither here nor in a library that 'libs' of"
-            << " system/controlDict names; there are " << flatOutput(known)
+            << " system/controlDict names; those made for fsbiFoam stand in"
+            << " etc/dictionaries/U, there are " << flatOutput(known)
             << exit(FatalIOError);
     }
 }
