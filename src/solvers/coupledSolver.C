@@ -127,6 +127,41 @@ Foam::scalar Foam::fsbi::coupledSolver::evaluate(const scalarList& x)
 }
 
 
+void Foam::fsbi::coupledSolver::setScale
+(
+    const flowProblem& problem, scalarList& x
+)
+{
+    const scalarList rest(system_->atRest(x));
+    scale_ = evaluate(rest);
+    if (system_->linear() && !problem.acting.empty())
+    {
+        const scalar there = evaluate
+        (
+            whereEvaluated(problem, system_->layout(), rest)
+        );
+        scale_ = scale_ > farAway*there ? there : scale_;
+    }
+    if (problem.acting.onCorners())
+    {
+        // at rest on each other nothing but what presses bodies together
+        // says what is small
+        scale_ = max(scale_, system_->normOfEffects());
+    }
+    if (!withoutElastic())
+    {
+        // where nothing moves no digit beyond the last is asked for
+        scale_ = max(scale_, system_->roundOff(x)/tolerance_);
+    }
+    if (system_->linear() && scale_ < VSMALL)
+    {
+        // nothing moves: from another guess no tolerance would be
+        // reached, as it is relative to nothing
+        x = rest;
+    }
+}
+
+
 Foam::scalar Foam::fsbi::coupledSolver::startFromPrevious
 (
     scalarList& x, const scalar norm
@@ -275,33 +310,7 @@ Foam::fsbi::solverReport Foam::fsbi::coupledSolver::correct
     }
     if (first)
     {
-        const scalarList rest(system_->atRest(x));
-        scale_ = evaluate(rest);
-        if (system_->linear() && !problem.acting.empty())
-        {
-            const scalar there = evaluate
-            (
-                whereEvaluated(problem, system_->layout(), rest)
-            );
-            scale_ = scale_ > farAway*there ? there : scale_;
-        }
-        if (problem.acting.onCorners())
-        {
-            // at rest on each other nothing but what presses bodies together
-            // says what is small
-            scale_ = max(scale_, system_->normOfEffects());
-        }
-        if (!withoutElastic())
-        {
-            // where nothing moves no digit beyond the last is asked for
-            scale_ = max(scale_, system_->roundOff(x)/tolerance_);
-        }
-        if (system_->linear() && scale_ < VSMALL)
-        {
-            // nothing moves: from another guess no tolerance would be
-            // reached, as it is relative to nothing
-            x = rest;
-        }
+        setScale(problem, x);
     }
     const solverReport report(improve(first, x));
     if (withoutElastic() && report.converged)
