@@ -47,6 +47,8 @@ def fall(quick):
             # bound: the project's goal: 2 %
             results.add("gap_of_a_falling_sphere", gap[i] / exact[i], 1, 0.02,
                         variant=f"at {wanted:g} radii", **cost)
+    # bound: the same at every step's end, not only near these gaps
+    results.add("largest_error_of_its_gap_abs", abs(gap / exact - 1).max(), 0, 0.02, **cost)
     closed = 1 - gap[1:] / gap[:-1]
     # bound: what maxApproach allows at the speed of a step's beginning, which is the
     # largest, of a gap that triangles show but for their sag
