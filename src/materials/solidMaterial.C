@@ -148,7 +148,7 @@ Foam::string Foam::fsbi::solidMaterial::warning
     const scalar minJ, const scalar minStretch
 ) const
 {
-    if (minJ > crushed)
+    if (minJ > crushed || flows())
     {
         return string();
     }
@@ -156,8 +156,8 @@ Foam::string Foam::fsbi::solidMaterial::warning
     snprintf
     (
         text, sizeof(text),
-        "pressed together to %.2g of its volume in places: loads there are "
-        "above its bulk modulus, %.3g, which a nu nearer to 0.5 makes larger",
+        "pressed together to %.2g of its volume in places, against a bulk "
+        "modulus of %.3g, which a nu nearer to 0.5 makes larger",
         minJ, lambda_ + 2*mu_/3
     );
     return text;
