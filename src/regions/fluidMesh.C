@@ -202,6 +202,7 @@ void Foam::fsbi::fluidMesh::checkPatchNames() const
 
 void Foam::fsbi::fluidMesh::setReference()
 {
+    auto timer = timings_.measure("meshing");
     referencePoints_ = mesh().points();
     referenceShift_ = shift();
     motion_.reset(new fluidMotion(mesh(), present_, surfaces_, images_));

@@ -45,6 +45,36 @@ static void checkInside(checks& c)
 }
 
 
+//- Where all sides are cyclic points between bodies go with all of them
+static void checkWithoutWalls
+(
+    checks& c, const boxScene& s, const polyMesh& fluid
+)
+{
+    const inverseDistanceMotion motion
+    (
+        fluid, fluid.boundaryMesh().names(), s.bodies, s.placements,
+        List<vector>({-eight, eight})
+    );
+    List<placement> now(s.placements);
+    const vector way(0.05, 0, 0);
+    now[0].centre += way;
+    now[1].centre -= way;
+    scalar farthest = 0;
+    const vectorField moves(motion.move(now, Zero) - fluid.points());
+    for (const vector& move : moves)
+    {
+        farthest = max(farthest, min(mag(move - way), mag(move + way)));
+    }
+    // bound: in the middle they do not go at all
+    c.checkClose
+    (
+        "without walls: between bodies that part nothing moves",
+        farthest/mag(way), 1, 0.05
+    );
+}
+
+
 static void checkAcross(checks& c)
 {
     boxScene s("cyclic");
@@ -82,6 +112,8 @@ static void checkAcross(checks& c)
         "across: volume stays", sum(fluid->cellVolumes()),
         sum(s.box->cellVolumes()) - 2*sphere.volume(), 1e-10
     );
+
+    checkWithoutWalls(c, s, fluid());
 
     s.bodies.resize(1);
     s.names.resize(1);
