@@ -43,7 +43,8 @@ Foam::fsbi::repulsion::repulsion
     ),
     strength_(checkedDictionary(dict).get<scalar>("strength")),
     range_(checkedDictionary(dict).positive("range")),
-    minimumGap_(dict.getOrDefault<scalar>("minimumGap", 0))
+    minimumGap_(dict.getOrDefault<scalar>("minimumGap", 0)),
+    deforming_(false)
 {
     const checkedDictionary entries(dict);
     for (const word key : {"form", "strength", "range", "minimumGap", "libs"})
@@ -62,6 +63,7 @@ Foam::fsbi::repulsion::repulsion
     for (const immersedBody& body : context_.bodies)
     {
         divisions_.append(partsPerEdge(body, range_, finest, mostDivisions));
+        deforming_ = deforming_ || body.deforms();
     }
 
     const outcome now(acceptable());
