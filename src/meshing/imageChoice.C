@@ -12,8 +12,10 @@ namespace Foam
 namespace fsbi
 {
 
-//- Plane cells to begin with, a part of a period from each other
-static const label starts = 8;
+//- Plane cells to begin with, a part of a period from each other; more of them
+//  where sides are too steep to be meshed for sure
+static const label starts = 8, mostStarts = 64;
+static const scalar tooSteep = 10;
 
 //- Slope of a side that is no worse than none
 static const scalar flat = 1;
@@ -194,17 +196,25 @@ Foam::vectorField Foam::fsbi::imageChoice
     {
         scalar least = GREAT;
         pointField best;
-        for (label start = 0; start < starts && least > 0; ++start)
+        const auto beginFrom = [&](const scalar part)
         {
             imagesAlong images(periods, i, centres, radii);
-            // out from the plane cell, to both sides
-            const label n = start % 2 ? (start + 1)/2 : -start/2;
-            const scalar cost = images.improveFrom(shift, scalar(n)/starts);
+            const scalar cost = images.improveFrom(shift, part);
             if (cost < least)
             {
                 least = cost;
                 best = images.centres();
             }
+        };
+        for (label start = 0; start < starts && least > 0; ++start)
+        {
+            // out from the plane cell, to both sides
+            const label n = start % 2 ? (start + 1)/2 : -start/2;
+            beginFrom(scalar(n)/starts);
+        }
+        for (label n = 1; n < mostStarts && least > tooSteep; ++n)
+        {
+            beginFrom(scalar(n)/mostStarts);
         }
         forAll(ways, b)
         {
