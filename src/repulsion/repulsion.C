@@ -43,8 +43,7 @@ Foam::fsbi::repulsion::repulsion
     ),
     strength_(checkedDictionary(dict).get<scalar>("strength")),
     range_(checkedDictionary(dict).positive("range")),
-    minimumGap_(dict.getOrDefault<scalar>("minimumGap", 0)),
-    deforming_(false)
+    minimumGap_(dict.getOrDefault<scalar>("minimumGap", 0))
 {
     const checkedDictionary entries(dict);
     for (const word key : {"form", "strength", "range", "minimumGap", "libs"})
@@ -63,7 +62,6 @@ Foam::fsbi::repulsion::repulsion
     for (const immersedBody& body : context_.bodies)
     {
         divisions_.append(partsPerEdge(body, range_, finest, mostDivisions));
-        deforming_ = deforming_ || body.deforms();
     }
 
     const outcome now(acceptable());
@@ -242,6 +240,17 @@ void Foam::fsbi::repulsion::apply(loads& l) const
             push(now, n, a, b, part, l);
         }
     );
+}
+
+
+bool Foam::fsbi::repulsion::steep() const
+{
+    bool rigid = true;
+    for (const immersedBody& body : context_.bodies)
+    {
+        rigid = rigid && !body.deforms();
+    }
+    return rigid && strength_ > 0;
 }
 
 
